@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef coupling_unit_cell_points_h
+#define coupling_unit_cell_points_h
+
+#include <dem/deform.h>
+#include <dem/unit_cell.h>
+#include <fem/material_points.h>
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+namespace tamp::coupling
+{
+/// What the last evaluate() of the cells cost and how good it is.
+struct CellReport {
+  double mean_evaluations = 0;  ///< force evaluations per cell
+  double worst_unbalance = 0;   ///< largest unbalance of a cell [-]
+  std::size_t worst_unbalance_point = 0;
+  double worst_hill_mandel = 0; ///< largest residual of a cell [-]
+  double worst_asymmetry = 0;   ///< largest |skw stress| / |stress| [-]
+  std::size_t unsettled = 0;    ///< cells that ran into the cap
+};
+
+/// How cells are driven and shared among threads.
+struct CellPointsOptions {
+  dem::Driving driving;
+  unsigned threads = 1;
+  /// Use the last trial of the same step as a start of the relaxation. Off: an
+  /// evaluation is a pure function of the committed states.
+  bool warm = true;
+};
+
+/// Grains as material points: each point owns a committed and a trial unit
+/// cell. Rotation is split off and costs no sweep. The tangent is the Voigt
+/// contact tangent times the secant of the last committed step.
+class UnitCellPoints final : public fem::MaterialPoints
+{
+public:
+  UnitCellPoints(std::vector<dem::UnitCell> cells,
+                 const CellPointsOptions &options);
+  ~UnitCellPoints() override;
+
+  std::size_t size() const override;
+  void evaluate(std::span<const fem::Deformation> deformations,
+                fem::Want want,
+                std::span<fem::Response> responses) override;
+  void commit() override;
+  void pack(std::size_t point, std::vector<char> &bytes) const override;
+  void unpack(std::size_t point, std::span<const char> bytes) override;
+  double cost(std::size_t point) const override;
+
+  /// Forgets extrapolations, secants and predictors: call when the direction
+  /// of loading turns.
+  void turn();
+  /// Contact forces below this count as this in the unbalance [N].
+  void set_force_floor(double force);
+
+  const CellReport &report() const;
+  /// The committed cell of a point, in its own frame.
+  const dem::UnitCell &cell(std::size_t point) const;
+  /// The rotation from the frame of a point's cell to the die's.
+  const dealii::Tensor<2, 3> &rotation(std::size_t point) const;
+
+private:
+  struct Point;
+  std::vector<Point> points_;
+  CellPointsOptions options_;
+  CellReport report_;
+};
+} // namespace tamp::coupling
+
+#endif

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef dem_deform_h
+#define dem_deform_h
+
+#include <Eigen/Core>
+
+#include <cstddef>
+#include <vector>
+
+namespace tamp::dem
+{
+class UnitCell;
+
+/// A symmetric stretch increment U, det U > 0: the cell h becomes U h [-].
+using Stretch = Eigen::Matrix3d;
+
+/// How the grains follow a stretch.
+enum class Method {
+  quasi_static, ///< static equilibrium, rate independent
+  dynamics      ///< damped motion at a strain rate
+};
+
+/// Settings of the quasi-static map.
+struct QuasiStatic {
+  double unbalance_tolerance = 1e-3; ///< mean |F| of grains / mean |f| [-]
+  /// Contact forces below this count as this in the unbalance [N].
+  double force_floor = 0;
+  /// A larger stretch increment is divided into equal parts [-].
+  double maximum_strain_increment = 5e-3;
+  std::size_t maximum_evaluations = 1000; ///< of all forces, per part
+};
+
+/// Settings of the damped dynamics of Sheng et al. (2004), eqs (1)-(6).
+struct Dynamics {
+  double strain_rate = 1e-5;      ///< largest principal rate [1/s]
+  double density_scaling = 1e12;  ///< factor on the density of the grains [-]
+  double time_step_fraction = 0.2; ///< of the Rayleigh time step [-]
+  /// beta_g as a share of the critical damping of a mean grain [-].
+  double global_damping = 0.05;
+};
+
+struct Driving {
+  Method method = Method::quasi_static;
+  QuasiStatic quasi_static;
+  Dynamics dynamics;
+
+  /// Throws std::invalid_argument naming the first value that is not
+  /// possible.
+  void check() const;
+};
+
+/// A start for the relaxation: where the grains of the last trial of the same
+/// step came to rest. A value of the caller's, empty at the start of a step;
+/// never kept from a cell that did not settle.
+struct WarmGuess {
+  std::vector<double> motion;  ///< non-affine motion and rotation, 6 a grain
+  double predictor_scale = -1; ///< frozen within a step; negative: not set
+  bool empty() const { return motion.empty(); }
+  void clear()
+  {
+    motion.clear();
+    predictor_scale = -1;
+  }
+};
+
+enum class Outcome { settled, unsettled, diverged };
+
+/// What a cell says after a stretch.
+struct CellAnswer {
+  Outcome outcome = Outcome::settled;
+  Eigen::Matrix3d stress = Eigen::Matrix3d::Zero(); ///< Cauchy, contacts only,
+                                                    ///< tension positive [Pa]
+  double unbalance = 0; ///< mean |F| of grains / mean |f| of contacts [-]
+  std::size_t evaluations = 0; ///< of all contact forces
+};
+
+/// Takes a cell along a stretch increment. The cell then holds the new state,
+/// its contact history included. Deterministic; without a guess a pure function
+/// of the cell, the stretch and the driving. After `diverged` the cell's
+/// content is of no use: go back to a copy.
+/// @param guess  in: a warm start or empty; out: the start for the next trial
+///               from the same committed cell. May be null.
+CellAnswer deform(UnitCell &cell,
+                  const Stretch &stretch,
+                  const Driving &driving,
+                  WarmGuess *guess = nullptr);
+} // namespace tamp::dem
+
+#endif

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef fem_die_model_h
+#define fem_die_model_h
+
+#include <fem/die_mesh.h>
+#include <fem/die_settings.h>
+#include <fem/material_points.h>
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace tamp::fem
+{
+/// What an accepted step ended with. Forces are compression positive.
+struct StepRecord {
+  unsigned step = 0;
+  unsigned stage = 0; ///< index in the schedule, from 0
+  double upper_displacement = 0;  ///< of the upper punch, downwards [m]
+  double lower_displacement = 0;  ///< of the lower punch, upwards [m]
+  double upper_force = 0;         ///< powder on upper punch, upwards [N]
+  double lower_force = 0;         ///< lower punch on powder, upwards [N]
+  double wall_friction_force = 0; ///< wall on powder, upwards [N]
+  double wall_normal_force = 0;   ///< [N]
+  double wall_area = 0;           ///< in contact [m2]
+  double punch_area = 0;          ///< [m2]
+  double mean_relative_density = 0;
+  double minimum_relative_density = 0;
+  double maximum_relative_density = 0;
+  unsigned iterations = 0;        ///< of the accepted attempt
+  unsigned material_updates = 0;  ///< evaluations of all points, cut attempts
+                                  ///< included
+  unsigned cuts = 0;              ///< attempts given up before this one
+  double force_residual = 0;      ///< / reactions [-]
+  double displacement_change = 0; ///< / increment, in the last iteration [-]
+  std::size_t doubtful_points = 0;
+  double stage_progress = 0;      ///< 0 to 1
+};
+
+/// Why and where a run could not go on.
+struct Failure {
+  std::string reason;
+  std::size_t point = 0;
+  dealii::Tensor<1, 2> position;             ///< (r, z) [m]
+  dealii::SymmetricTensor<2, 3> stress;      ///< tension positive [Pa]
+};
+
+enum class Advance { stepped, finished, failed };
+
+/// A named value per material point, for output.
+struct PointField {
+  std::string name;
+  std::vector<double> values;
+};
+
+/// Seconds spent since the start, by part.
+struct ModelTimes {
+  double material = 0, assembly = 0, linear_solver = 0, total = 0;
+};
+
+/// A compact in a die, pressed, unloaded and ejected step by step. Axisymmetric
+/// four-node quadrilaterals, updated Lagrangian; rigid tools. Knows nothing of
+/// what its material points are.
+class DieModel
+{
+public:
+  /// Called when a stage begins, before its first step, with the stage's index
+  /// and the largest pressure of the upper punch so far [Pa]. The direction of
+  /// loading turns here.
+  using StageBegins = std::function<void(unsigned stage, double peak_pressure)>;
+
+  /// The material points must be at the state of the start: their stress may be
+  /// anything; the first step finds equilibrium. Throws std::invalid_argument
+  /// if sizes do not match. Mesh and points must outlive the model.
+  DieModel(const DieSettings &settings,
+           const DieMesh &mesh,
+           MaterialPoints &points,
+           StageBegins stage_begins = {});
+  ~DieModel();
+
+  /// Does one step of the schedule, cutting it as often as needed. A step that
+  /// fails leaves the last accepted state, in the model and in the points.
+  [[nodiscard]] Advance advance();
+
+  const StepRecord &last_step() const;
+  const Failure &failure() const;
+  ModelTimes times() const;
+
+  /// Responses of the committed state, one per point.
+  const std::vector<Response> &responses() const;
+  /// (r, z) of every point in the committed state [m].
+  std::vector<dealii::Tensor<1, 2>> point_positions() const;
+  /// F since the start of every point: the product of relative_F.
+  const std::vector<dealii::Tensor<2, 3>> &deformation_gradients() const;
+
+  /// Writes the committed state as `folder`/`name`.vtu: each element as four
+  /// quadrilaterals, one per material point, with displacement, Cauchy stress,
+  /// relative density, point number and the extra fields. Throws
+  /// std::runtime_error naming the file if it cannot be written.
+  void write_fields(const std::filesystem::path &folder,
+                    const std::string &name,
+                    const std::vector<PointField> &extra = {}) const;
+
+private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+} // namespace tamp::fem
+
+#endif

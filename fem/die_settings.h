@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef fem_die_settings_h
+#define fem_die_settings_h
+
+#include <string>
+#include <vector>
+
+namespace tamp::fem
+{
+/// A cylindrical die, axisymmetric: r in [0, radius], z in [0, fill_height].
+struct DieGeometry {
+  double radius = 6e-3;      ///< [m]
+  double fill_height = 7e-3; ///< of the powder at the start [m]
+  unsigned radial_elements = 4;
+  unsigned axial_elements = 7;
+  /// A mesh of quadrilaterals (gmsh .msh) with the physical names axis,
+  /// die_wall, punch_top, punch_bottom; empty: built in. Radius and height are
+  /// then read off it.
+  std::string mesh_file;
+
+  void check() const;
+};
+
+enum class StageKind { press, unload, eject, hold };
+enum class StageTarget {
+  density,      ///< mean relative density [-]
+  displacement, ///< of the moving punch, since the start of the stage [m]
+  force,        ///< of the upper punch [N]
+  peak_share,   ///< force of the upper punch as a share of its peak [-]
+  rim           ///< eject until the compact's top reaches the die's rim
+};
+
+/// One stage of the schedule. `press` and `unload` move the upper punch;
+/// `eject` moves the lower punch up while the upper one keeps `hold_share` of
+/// the peak force; `hold` does `steps` steps at rest.
+struct Stage {
+  StageKind kind = StageKind::press;
+  StageTarget target = StageTarget::density;
+  double value = 0.85;
+  double hold_share = 0.05;
+  unsigned steps = 1;
+};
+
+/// Limits of a step, as mean axial strain of the compact [-].
+struct StepLimits {
+  double first = 1e-3;
+  double maximum = 5e-3;
+  double unloading = 1e-3; ///< maximum while unloading and ejecting
+  double minimum = 1e-6;   ///< a smaller step ends the run
+  double growth = 1.25;
+  double cut = 0.5;
+};
+
+enum class NonlinearMethod {
+  newton,  ///< a new tangent every iteration: cheap laws
+  anderson ///< one tangent a step, Anderson acceleration: unit cells
+};
+
+struct SolverSettings {
+  NonlinearMethod method = NonlinearMethod::anderson;
+  double force_tolerance = 1e-3;        ///< of the residual / reactions [-]
+  double displacement_tolerance = 1e-3; ///< of the change / increment [-]
+  unsigned maximum_iterations = 20;
+  unsigned anderson_depth = 5;
+  /// Reject steps in which a point loses most of its pressure or opens while
+  /// the punch presses: zero stress is an equilibrium, too.
+  bool guard_against_opening = false;
+};
+
+struct DieSettings {
+  DieGeometry geometry;
+  double wall_friction_coefficient = 0.2;
+  std::vector<Stage> stages;
+  StepLimits steps;
+  SolverSettings solver;
+
+  /// Throws std::invalid_argument naming the first value that is not
+  /// possible.
+  void check() const;
+};
+} // namespace tamp::fem
+
+#endif

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef fem_path_driver_h
+#define fem_path_driver_h
+
+#include <fem/material_points.h>
+
+#include <array>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace tamp::fem
+{
+/// What one component (xx, yy, zz, yz, xz, xy) does during a stage of a path.
+struct ComponentTarget {
+  enum class Control { strain, stress } control = Control::strain;
+  /// At the end of the stage: logarithmic strain since the start of the path
+  /// (compression negative) [-], or Cauchy stress (tension positive) [Pa].
+  double value = 0;
+  /// Strain control only: the value is a change since the start of the stage.
+  bool relative = false;
+};
+
+/// A part of a path, driven in equal increments of at most `maximum_increment`
+/// strain. Symmetric stretches; components under stress control are found by
+/// iteration.
+struct PathStage {
+  std::string name;
+  std::array<ComponentTarget, 6> components;
+  double maximum_increment = 1e-3; ///< strain of the largest component [-]
+  unsigned minimum_steps = 1;
+  /// Ends the stage early once the stress of component `until_component`
+  /// (tension positive) rises above (until_above) or falls below this value;
+  /// the last increment is refined to hit it within 1 %.
+  bool has_until = false;
+  unsigned until_component = 2;
+  double until_stress = 0;
+  bool until_above = true;
+};
+
+/// State of the one point after an accepted increment.
+struct PathRecord {
+  unsigned step = 0;
+  unsigned stage = 0;
+  dealii::Tensor<2, 3> F; ///< since the start
+  Response response;
+};
+
+enum class PathEnd { finished, not_converged };
+
+/// Takes point 0 of `points` along stages; calls `observe` after the start state
+/// (step 0) and after each committed increment. `stage_begins` is called before
+/// each stage with its index. Stress control converges to `stress_tolerance`
+/// times the largest stress.
+[[nodiscard]] PathEnd
+drive_path(MaterialPoints &points,
+           const std::vector<PathStage> &stages,
+           const std::function<void(unsigned)> &stage_begins,
+           const std::function<void(const PathRecord &)> &observe,
+           double stress_tolerance = 1e-3);
+
+/// Takes point 0 along given deformation gradients F since the start, one
+/// committed increment each.
+[[nodiscard]] PathEnd
+drive_gradients(MaterialPoints &points,
+                const std::vector<dealii::Tensor<2, 3>> &gradients,
+                const std::function<void(const PathRecord &)> &observe);
+} // namespace tamp::fem
+
+#endif
