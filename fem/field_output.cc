@@ -87,6 +87,7 @@ Patch make_patch(std::size_t point,
   Patch patch;
   patch.patch_index = point;
   patch.n_subdivisions = 1;
+  patch.reference_cell = dealii::ReferenceCells::Quadrilateral;
   patch.data.reinit(2 + fields.size(), 4);
   std::array<dealii::Tensor<1, 2>, 4> position, displacement;
   for (unsigned a = 0; a < 4; ++a) {
@@ -156,6 +157,7 @@ void write_compact(const std::filesystem::path &file,
     output.patches.push_back(make_patch(point, mesh, state, fields));
   dealii::DataOutBase::VtkFlags flags;
   flags.compression_level = dealii::DataOutBase::VtkFlags::best_speed;
+  flags.print_date_and_time = false; // the same run writes the same file
   output.set_flags(flags);
   std::ostringstream text;
   output.write_vtu(text);

@@ -234,8 +234,10 @@ std::vector<double> ToolContact::balance(const SparseRows &stiffness,
         right[unknowns.unknown[dof]] -= rest[dof];
         squares += rest[dof] * rest[dof];
       }
-    if (std::sqrt(squares) <=
-        tolerance * std::max(tools.reactions, smallest_reference))
+    // One solution at least: its size is a measure of the error.
+    if (iteration > 0 &&
+        std::sqrt(squares) <=
+            tolerance * std::max(tools.reactions, smallest_reference))
       return change;
     if (!prepare(stiffness, tools.wall, unknowns) ||
         !unknowns.solver->solve(right, step))
