@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fem/schedule.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace tamp::fem
@@ -14,6 +15,9 @@ constexpr double gentle = 0.25;
 constexpr double unloading_share = 0.7;
 /// Nearer to its target than this share of the peak, a force is imposed.
 constexpr double landing_share = 0.05;
+/// A compact that slides up as a whole hardly strains: an ejection step may be
+/// this multiple of the unloading one as long as the height keeps.
+constexpr double sliding = 20;
 /// Shares of the height, of a force: below, a target is met.
 constexpr double met = 1e-9;
 
@@ -72,7 +76,7 @@ void Schedule::begin_phase(Phase phase, const PressState &state)
   const double largest = loads ? limits_.maximum : limits_.unloading;
   step_ = StepControl(
       loads ? limits_.first : gentle * std::min(limits_.first, largest),
-      largest,
+      phase == Phase::eject ? sliding * largest : largest,
       limits_.growth);
 }
 
@@ -241,9 +245,11 @@ void Schedule::accept(const Proposal &proposal,
   step_.accepted(proposal.strain, was_cut);
   last_driving_ = proposal.driving;
   last_upper_ = before.upper_displacement - after.upper_displacement;
-  if (phase_ == Phase::to_force && last_upper_ != 0) {
+  if (phase_ == Phase::to_force && last_upper_ != 0)
     slope_ = (after.upper_force - before.upper_force) / -last_upper_;
-  }
+  const double strain = std::abs(after.height / before.height - 1);
+  if (phase_ == Phase::eject && strain > 0)
+    step_.limit(proposal.strain * limits_.unloading / strain);
 }
 
 double Schedule::progress(const PressState &state) const

@@ -20,7 +20,8 @@ public:
 
   double strain() const { return strain_; }
 
-  /// The next step has this size; grows later as any other.
+  /// A step of this size was taken. The next one grows, unless this one had to
+  /// be cut or was shorter than it might have been.
   void accepted(double strain, bool was_cut)
   {
     if (was_cut)
@@ -28,6 +29,9 @@ public:
     else if (strain > 0.99 * strain_)
       strain_ = std::min(largest_, growth_ * strain_);
   }
+
+  /// Keeps the next step below this size.
+  void limit(double strain) { strain_ = std::min(strain_, strain); }
 
 private:
   double strain_ = 0, largest_ = 0, growth_ = 1;
