@@ -26,8 +26,7 @@ dealii::Tensor<2, 3> stress_change(const Response &response,
 {
   const dealii::Tensor<2, 3> sigma(response.stress);
   const dealii::Tensor<2, 3> W = 0.5 * (L - dealii::transpose(L));
-  const dealii::Tensor<2, 3> material(response.tangent *
-                                      dealii::symmetrize(L));
+  const dealii::Tensor<2, 3> material(response.tangent * dealii::symmetrize(L));
   return material + W * sigma - sigma * W + dealii::trace(L) * sigma -
          sigma * dealii::transpose(L);
 }
@@ -58,8 +57,7 @@ std::vector<double> internal_forces(const DieMesh::Data &mesh,
       const double hoop = g.value[a] / g.position[0];
       force[2 * nodes[a]] +=
           g.volume * (s[0][0] * dN[0] + s[0][2] * dN[1] + s[1][1] * hoop);
-      force[2 * nodes[a] + 1] +=
-          g.volume * (s[0][2] * dN[0] + s[2][2] * dN[1]);
+      force[2 * nodes[a] + 1] += g.volume * (s[0][2] * dN[0] + s[2][2] * dN[1]);
     }
   }
   return force;

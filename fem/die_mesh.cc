@@ -154,9 +154,15 @@ DieMesh::DieMesh(const DieGeometry &geometry) : data_(std::make_unique<Data>())
 
 DieMesh::~DieMesh() = default;
 
-double DieMesh::radius() const { return data_->radius; }
+double DieMesh::radius() const
+{
+  return data_->radius;
+}
 
-double DieMesh::height() const { return data_->top - data_->bottom; }
+double DieMesh::height() const
+{
+  return data_->top - data_->bottom;
+}
 
 std::size_t DieMesh::number_of_points() const
 {

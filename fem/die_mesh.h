@@ -22,8 +22,8 @@ public:
   explicit DieMesh(const DieGeometry &geometry);
   ~DieMesh();
 
-  double radius() const;                 ///< [m]
-  double height() const;                 ///< [m]
+  double radius() const; ///< [m]
+  double height() const; ///< [m]
   std::size_t number_of_points() const;
   /// (r, z) of every material point at the start [m].
   const std::vector<dealii::Tensor<1, 2>> &point_positions() const;

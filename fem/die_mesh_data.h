@@ -24,13 +24,13 @@ struct ReferencePoint {
 struct DieMesh::Data {
   std::vector<dealii::Tensor<1, 2>> nodes; ///< (r, z) at the start [m]
   std::vector<std::array<unsigned, 4>> cells;
-  std::vector<unsigned> axis; ///< nodes at r = 0, from below
-  std::vector<unsigned> wall; ///< nodes on the die wall, from below
+  std::vector<unsigned> axis;         ///< nodes at r = 0, from below
+  std::vector<unsigned> wall;         ///< nodes on the die wall, from below
   std::vector<unsigned> punch_bottom; ///< from the axis outwards
   std::vector<unsigned> punch_top;    ///< from the axis outwards
-  std::array<ReferencePoint, 4> reference; ///< QGauss<2>(2)
+  std::array<ReferencePoint, 4> reference;  ///< QGauss<2>(2)
   std::vector<dealii::Tensor<1, 2>> points; ///< (r, z) at the start [m]
-  double radius = 0; ///< [m]
+  double radius = 0;                        ///< [m]
   double bottom = 0; ///< z of the lower punch at the start [m]
   double top = 0;    ///< z of the upper punch at the start, the rim [m]
 

@@ -117,8 +117,8 @@ struct DieModel::Implementation {
     const double bottom = press.top - press.height;
     for (std::size_t node = 0; node < positions.size(); ++node) {
       const double share = (positions[node][1] - bottom) / press.height;
-      increment[2 * node + 1] = (1 - share) * proposal.motion.lower +
-                                share * proposal.motion.upper;
+      increment[2 * node + 1] =
+          (1 - share) * proposal.motion.lower + share * proposal.motion.upper;
     }
     return increment;
   }
@@ -142,8 +142,7 @@ struct DieModel::Implementation {
     const bool guard =
         settings.solver.guard_against_opening && schedule.presses();
     while (true) {
-      attempt =
-          equilibrium.attempt(proposal.motion, guess(proposal), guard);
+      attempt = equilibrium.attempt(proposal.motion, guess(proposal), guard);
       if (attempt.converged) {
         const auto loaded =
             schedule.instead(proposal, press, attempt.forces.upper);
@@ -194,9 +193,8 @@ struct DieModel::Implementation {
     // The motion of a loaded punch was only a guess.
     const bool upper_drives = proposal.motion.lower <= 0;
     last_driving =
-        upper_drives
-            ? std::abs(last_increment[2 * mesh.punch_top.front() + 1])
-            : proposal.driving;
+        upper_drives ? std::abs(last_increment[2 * mesh.punch_top.front() + 1])
+                     : proposal.driving;
   }
 
   Advance advance()
@@ -237,7 +235,10 @@ const StepRecord &DieModel::last_step() const
   return implementation_->record;
 }
 
-const Failure &DieModel::failure() const { return implementation_->failure; }
+const Failure &DieModel::failure() const
+{
+  return implementation_->failure;
+}
 
 ModelTimes DieModel::times() const
 {
@@ -265,8 +266,7 @@ std::vector<dealii::Tensor<1, 2>> DieModel::point_positions() const
   return positions;
 }
 
-const std::vector<dealii::Tensor<2, 3>> &
-DieModel::deformation_gradients() const
+const std::vector<dealii::Tensor<2, 3>> &DieModel::deformation_gradients() const
 {
   return implementation_->equilibrium.state().deformation_gradients;
 }

@@ -17,7 +17,7 @@ namespace tamp::fem
 /// What an accepted step ended with. Forces are compression positive.
 struct StepRecord {
   unsigned step = 0;
-  unsigned stage = 0; ///< index in the schedule, from 0
+  unsigned stage = 0;             ///< index in the schedule, from 0
   double upper_displacement = 0;  ///< of the upper punch, downwards [m]
   double lower_displacement = 0;  ///< of the lower punch, upwards [m]
   double upper_force = 0;         ///< powder on upper punch, upwards [N]
@@ -36,15 +36,15 @@ struct StepRecord {
   double force_residual = 0;      ///< / reactions [-]
   double displacement_change = 0; ///< / increment, in the last iteration [-]
   std::size_t doubtful_points = 0;
-  double stage_progress = 0;      ///< 0 to 1
+  double stage_progress = 0; ///< 0 to 1
 };
 
 /// Why and where a run could not go on.
 struct Failure {
   std::string reason;
   std::size_t point = 0;
-  dealii::Tensor<1, 2> position;             ///< (r, z) [m]
-  dealii::SymmetricTensor<2, 3> stress;      ///< tension positive [Pa]
+  dealii::Tensor<1, 2> position;        ///< (r, z) [m]
+  dealii::SymmetricTensor<2, 3> stress; ///< tension positive [Pa]
 };
 
 enum class Advance { stepped, finished, failed };

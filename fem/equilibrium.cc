@@ -98,10 +98,10 @@ Equilibrium::Equilibrium(const DieMesh::Data &mesh,
       stiffness_(stiffness_pattern(mesh))
 {
   if (points.size() != mesh.number_of_points())
-    throw std::invalid_argument(
-        "the mesh has " + std::to_string(mesh.number_of_points()) +
-        " material points, but " + std::to_string(points.size()) +
-        " were given");
+    throw std::invalid_argument("the mesh has " +
+                                std::to_string(mesh.number_of_points()) +
+                                " material points, but " +
+                                std::to_string(points.size()) + " were given");
   state_.positions = mesh.nodes;
   state_.deformation_gradients.assign(points.size(), unit_tensor());
   state_.wall_friction.assign(mesh.wall.size(), 0.);
@@ -112,9 +112,9 @@ Equilibrium::Equilibrium(const DieMesh::Data &mesh,
   evaluate(Want::stress, start);
   state_.responses = trial_.responses;
   contact_.begin(stiffness_, PunchMotion(), state_.wall_friction);
-  state_.forces = contact_.forces(
-      internal_forces(mesh, state_.positions, state_.responses),
-      trial_.increment);
+  state_.forces =
+      contact_.forces(internal_forces(mesh, state_.positions, state_.responses),
+                      trial_.increment);
 }
 
 bool Equilibrium::deform(Attempt &attempt)
@@ -169,8 +169,7 @@ Attempt Equilibrium::attempt(const PunchMotion &motion,
 
   while (true) {
     const bool first = attempt.iterations == 0;
-    const Want want =
-        first || newton ? Want::stress_and_tangent : Want::stress;
+    const Want want = first || newton ? Want::stress_and_tangent : Want::stress;
     if (!deform(attempt))
       return attempt;
     ++attempt.iterations;
@@ -192,18 +191,16 @@ Attempt Equilibrium::attempt(const PunchMotion &motion,
     trial_.forces = contact_.forces(internal, trial_.increment);
     const auto imbalance = contact_.imbalance(internal, trial_.forces);
     attempt.forces = trial_.forces;
-    const double reference =
-        std::max({trial_.forces.reactions,
-                  floor,
-                  std::numeric_limits<double>::min()});
+    const double reference = std::max(
+        {trial_.forces.reactions, floor, std::numeric_limits<double>::min()});
     attempt.force_residual = norm(imbalance) / reference;
     attempt.point = point_of_largest(imbalance);
 
     std::vector<double> change;
     {
       const StopWatch watch(times_.linear_solver);
-      change = contact_.balance(
-          stiffness_, internal, trial_.increment, reference);
+      change =
+          contact_.balance(stiffness_, internal, trial_.increment, reference);
     }
     if (change.empty()) {
       attempt.reason = "the tools cannot be balanced with the tangent";

@@ -26,9 +26,9 @@ struct CompactState {
 /// What became of an attempt to find equilibrium.
 struct Attempt {
   bool converged = false;
-  std::string reason;       ///< why not
-  std::size_t point = 0;    ///< where it went wrong, or the residual is largest
-  unsigned iterations = 0;  ///< evaluations of all points
+  std::string reason;      ///< why not
+  std::size_t point = 0;   ///< where it went wrong, or the residual is largest
+  unsigned iterations = 0; ///< evaluations of all points
   double force_residual = 0;      ///< / reactions [-]
   double displacement_change = 0; ///< / largest displacement [-]
   std::size_t doubtful_points = 0;
@@ -62,9 +62,8 @@ public:
   /// Searches equilibrium for this motion of the punches from the accepted
   /// state on. Changes nothing accepted. @param guess  of the increment; what
   /// the tools prescribe is put in. @param guard  refuse states that open.
-  [[nodiscard]] Attempt attempt(const PunchMotion &motion,
-                                const Displacement &guess,
-                                bool guard);
+  [[nodiscard]] Attempt
+  attempt(const PunchMotion &motion, const Displacement &guess, bool guard);
 
   /// Commits the last attempt, which must have converged, to state and points.
   void accept();

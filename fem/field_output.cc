@@ -34,8 +34,7 @@ protected:
     return {{0,
              1,
              "displacement",
-             dealii::DataComponentInterpretation::
-                 component_is_part_of_vector}};
+             dealii::DataComponentInterpretation::component_is_part_of_vector}};
   }
 };
 
@@ -52,15 +51,14 @@ std::vector<PointField> fields_of(const CompactState &state)
                                     {"point", {}}};
   for (std::size_t point = 0; point < state.responses.size(); ++point) {
     const auto stress = -state.responses[point].stress;
-    const double values[] = {
-        stress[0][0],
-        stress[1][1],
-        stress[2][2],
-        stress[0][2],
-        dealii::trace(stress) / 3,
-        std::sqrt(1.5) * dealii::deviator(stress).norm(),
-        state.responses[point].relative_density,
-        static_cast<double>(point)};
+    const double values[] = {stress[0][0],
+                             stress[1][1],
+                             stress[2][2],
+                             stress[0][2],
+                             dealii::trace(stress) / 3,
+                             std::sqrt(1.5) * dealii::deviator(stress).norm(),
+                             state.responses[point].relative_density,
+                             static_cast<double>(point)};
     for (std::size_t i = 0; i < fields.size(); ++i)
       fields[i].values.push_back(values[i]);
   }
@@ -110,8 +108,10 @@ Patch make_patch(std::size_t point,
 std::string with_units(const std::string &vtu)
 {
   const std::string units =
-      "<!-- Half section of a compact: x = r, y = z [m]. displacement [m] since "
-      "the start;\n     stress_*, pressure [Pa], compression positive (r radial, "
+      "<!-- Half section of a compact: x = r, y = z [m]. displacement [m] "
+      "since "
+      "the start;\n     stress_*, pressure [Pa], compression positive (r "
+      "radial, "
       "t hoop, z axial);\n     deviatoric_stress: von Mises [Pa]; "
       "relative_density [-]. One quadrilateral a material point. -->\n";
   const std::size_t line = vtu.find('\n');

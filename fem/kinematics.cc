@@ -70,8 +70,8 @@ double largest_strain(const std::vector<Deformation> &deformations)
   for (const Deformation &deformation : deformations)
     for (unsigned i = 0; i < 3; ++i)
       for (unsigned j = 0; j < 3; ++j)
-        largest = std::max(
-            largest, std::abs(deformation.relative_F[i][j] - (i == j)));
+        largest = std::max(largest,
+                           std::abs(deformation.relative_F[i][j] - (i == j)));
   return largest;
 }
 } // namespace tamp::fem

@@ -18,9 +18,9 @@ using Displacement = std::vector<double>;
 
 /// A material point of a cell in a given geometry.
 struct PointGeometry {
-  std::array<double, 4> value;                   ///< shape functions [-]
-  std::array<dealii::Tensor<1, 2>, 4> gradient;  ///< d N / d (r, z) [1/m]
-  dealii::Tensor<1, 2> position;                 ///< (r, z) [m]
+  std::array<double, 4> value;                  ///< shape functions [-]
+  std::array<dealii::Tensor<1, 2>, 4> gradient; ///< d N / d (r, z) [1/m]
+  dealii::Tensor<1, 2> position;                ///< (r, z) [m]
   double volume = 0; ///< of the full ring, 2 pi r dA [m3]; <= 0: inverted
 };
 

@@ -74,10 +74,10 @@ void Schedule::begin_phase(Phase phase, const PressState &state)
   const bool loads = now().kind == StageKind::press ||
                      (phase == Phase::to_force && direction_ > 0);
   const double largest = loads ? limits_.maximum : limits_.unloading;
-  step_ = StepControl(
-      loads ? limits_.first : gentle * std::min(limits_.first, largest),
-      phase == Phase::eject ? sliding * largest : largest,
-      limits_.growth);
+  step_ = StepControl(loads ? limits_.first
+                            : gentle * std::min(limits_.first, largest),
+                      phase == Phase::eject ? sliding * largest : largest,
+                      limits_.growth);
 }
 
 double Schedule::remaining(const PressState &state) const
@@ -152,9 +152,9 @@ std::optional<Proposal> Schedule::move_lower(const PressState &state) const
   proposal.motion.lower = portion.length;
   proposal.motion.upper_is_loaded = true;
   proposal.motion.upper_force = target_force_;
-  proposal.motion.upper =
-      last_driving_ > 0 ? last_upper_ * portion.length / last_driving_
-                        : portion.length;
+  proposal.motion.upper = last_driving_ > 0
+                              ? last_upper_ * portion.length / last_driving_
+                              : portion.length;
   proposal.driving = portion.length;
   proposal.strain = portion.length / state.height;
   return proposal;
@@ -171,8 +171,7 @@ std::optional<Proposal> Schedule::move_to_force(const PressState &state) const
   if (slope_ > 0) {
     const double needed = missing / slope_;
     if (direction_ < 0)
-      length =
-          std::min(length, unloading_share * state.upper_force / slope_);
+      length = std::min(length, unloading_share * state.upper_force / slope_);
     if (needed <= 1.2 * length ||
         (direction_ < 0 && missing <= landing_share * peak)) {
       length = needed;

@@ -93,7 +93,7 @@ private:
   unsigned stage_ = 0, phase_count_ = 0;
   Phase phase_ = Phase::none;
   StepControl step_;
-  PressState begin_;          ///< of the phase
+  PressState begin_;           ///< of the phase
   double first_remaining_ = 0; ///< at the begin of the phase [m]
   double target_force_ = 0;
   double direction_ = 1; ///< of the force: 1 up, -1 down

@@ -209,50 +209,96 @@ bool ToolContact::prepare(const SparseRows &stiffness,
   return true;
 }
 
+/// Forces and what is left of them after a change of the increment, if the
+/// powder answers linearly.
+struct ToolContact::Balance {
+  std::vector<double> change, internal;
+  ToolForces tools;
+  std::vector<double> right; ///< minus the imbalance of the unknowns [N]
+  double rest = 0;           ///< its norm [N]
+};
+
+ToolContact::Balance ToolContact::after(const std::vector<double> &change,
+                                        const std::vector<double> &internal,
+                                        std::span<const double> increment) const
+{
+  const System &unknowns = system();
+  Balance result;
+  result.change = change;
+  result.internal = internal;
+  std::vector<double> total(change);
+  for (std::size_t dof = 0; dof < total.size(); ++dof)
+    total[dof] += increment[dof];
+  result.tools = forces(internal, total);
+  const auto rest = imbalance(internal, result.tools);
+  result.right.assign(unknowns.matrix.size(), 0.);
+  double squares = 0;
+  for (std::size_t dof = 0; dof < total.size(); ++dof)
+    if (unknowns.unknown[dof] >= 0) {
+      result.right[unknowns.unknown[dof]] -= rest[dof];
+      squares += rest[dof] * rest[dof];
+    }
+  result.rest = std::sqrt(squares);
+  return result;
+}
+
+ToolContact::Balance ToolContact::along(const Balance &now,
+                                        const std::vector<double> &step,
+                                        const SparseRows &stiffness,
+                                        std::span<const double> increment,
+                                        bool search) const
+{
+  constexpr double shortest = 1. / 256;
+  const std::vector<double> force = multiply(stiffness, step);
+  double length = 1;
+  while (true) {
+    std::vector<double> change = now.change, internal = now.internal;
+    for (std::size_t dof = 0; dof < change.size(); ++dof) {
+      change[dof] += length * step[dof];
+      internal[dof] += length * force[dof];
+    }
+    Balance next = after(change, internal, increment);
+    if (!search || next.rest < (1 - 1e-4 * length) * now.rest ||
+        length <= shortest)
+      return next;
+    length *= 0.5;
+  }
+}
+
 std::vector<double> ToolContact::balance(const SparseRows &stiffness,
                                          std::span<const double> internal,
                                          std::span<const double> increment,
                                          double smallest_reference)
 {
-  constexpr unsigned most = 40, undamped = 15;
-  constexpr double tolerance = 1e-9;
+  // Full steps find stick and slip in a few iterations. If they alternate for
+  // ever, which a bad tangent can cause, only steps that help are taken, and
+  // the best balance found is used if it is much better than none.
+  constexpr unsigned most = 40, full_steps = 10;
+  constexpr double tolerance = 1e-9, useful = 0.5;
   System &unknowns = system();
   const std::size_t size = increment.size();
-  std::vector<double> change(size, 0.), total(increment.begin(),
-                                              increment.end());
+  Balance now = after(std::vector<double>(size, 0.),
+                      {internal.begin(), internal.end()},
+                      increment);
   if (!unknowns.solver)
-    return change; // every node is held by a tool
-  std::vector<double> force(internal.begin(), internal.end());
-  std::vector<double> right(unknowns.matrix.size()), step(right.size());
+    return now.change; // every node is held by a tool
+  Balance best = now;
+  const double first_rest = now.rest;
+  std::vector<double> solution(now.right.size()), step(size, 0.);
   for (unsigned iteration = 0; iteration < most; ++iteration) {
-    const ToolForces tools = forces(force, total);
-    const std::vector<double> rest = imbalance(force, tools);
-    double squares = 0;
-    std::fill(right.begin(), right.end(), 0.);
-    for (std::size_t dof = 0; dof < size; ++dof)
-      if (unknowns.unknown[dof] >= 0) {
-        right[unknowns.unknown[dof]] -= rest[dof];
-        squares += rest[dof] * rest[dof];
-      }
-    // One solution at least: its size is a measure of the error.
-    if (iteration > 0 &&
-        std::sqrt(squares) <=
-            tolerance * std::max(tools.reactions, smallest_reference))
-      return change;
-    if (!prepare(stiffness, tools.wall, unknowns) ||
-        !unknowns.solver->solve(right, step))
+    if (!prepare(stiffness, now.tools.wall, unknowns) ||
+        !unknowns.solver->solve(now.right, solution))
       return {};
-    // Stick and slip may alternate for ever; shorter steps end that.
-    const double length = iteration < undamped ? 1 : 0.5;
     for (std::size_t dof = 0; dof < size; ++dof)
       if (unknowns.unknown[dof] >= 0)
-        change[dof] += length * step[unknowns.unknown[dof]];
-    force = multiply(stiffness, change);
-    for (std::size_t dof = 0; dof < size; ++dof) {
-      force[dof] += internal[dof];
-      total[dof] = increment[dof] + change[dof];
-    }
+        step[dof] = solution[unknowns.unknown[dof]];
+    now = along(now, step, stiffness, increment, iteration >= full_steps);
+    if (now.rest <=
+        tolerance * std::max(now.tools.reactions, smallest_reference))
+      return now.change;
+    if (now.rest < best.rest)
+      best = now;
   }
-  return {};
+  return best.rest < useful * first_rest ? best.change : std::vector<double>();
 }
 } // namespace tamp::fem

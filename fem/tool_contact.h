@@ -26,11 +26,11 @@ struct PunchMotion {
 
 /// Forces between powder and tools.
 struct ToolForces {
-  double upper = 0;           ///< powder on upper punch, upwards [N]
-  double lower = 0;           ///< lower punch on powder, upwards [N]
-  double wall_friction = 0;   ///< wall on powder, upwards [N]
-  double wall_normal = 0;     ///< wall on powder, inwards [N]
-  double reactions = 0;       ///< norm of all nodal reactions [N]
+  double upper = 0;            ///< powder on upper punch, upwards [N]
+  double lower = 0;            ///< lower punch on powder, upwards [N]
+  double wall_friction = 0;    ///< wall on powder, upwards [N]
+  double wall_normal = 0;      ///< wall on powder, inwards [N]
+  double reactions = 0;        ///< norm of all nodal reactions [N]
   std::vector<WallForce> wall; ///< per wall node
 };
 
@@ -66,8 +66,8 @@ public:
 
   /// Balances powder and tools if the powder answers linearly: internal force +
   /// stiffness x change. A semi-smooth Newton iteration over stick and slip,
-  /// to 1e-9 of the reactions. Returns the change of the increment; empty if
-  /// no balance was found.
+  /// to 1e-9 of the reactions, or as far as it goes. Returns the change of the
+  /// increment; empty if no balance was found.
   std::vector<double> balance(const SparseRows &stiffness,
                               std::span<const double> internal,
                               std::span<const double> increment,
@@ -78,7 +78,16 @@ public:
 
 private:
   struct System; ///< the unknowns of one kind of control and their solver
+  struct Balance;
   System &system() const;
+  Balance after(const std::vector<double> &change,
+                const std::vector<double> &internal,
+                std::span<const double> increment) const;
+  Balance along(const Balance &now,
+                const std::vector<double> &step,
+                const SparseRows &stiffness,
+                std::span<const double> increment,
+                bool search) const;
   void fill(const SparseRows &stiffness,
             const std::vector<WallForce> &wall,
             System &system) const;

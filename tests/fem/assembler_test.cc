@@ -2,9 +2,8 @@
 #include <fem/assembler.h>
 #include <tests/fem/test_points.h>
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 #include <numbers>
 #include <set>
 
@@ -59,8 +58,8 @@ Evaluation evaluate(const DieMesh::Data &mesh,
   Evaluation result;
   result.responses.resize(points.size());
   points.evaluate(deformations, want, result.responses);
-  result.force = internal_forces(
-      mesh, moved(mesh.nodes, increment), result.responses);
+  result.force =
+      internal_forces(mesh, moved(mesh.nodes, increment), result.responses);
   return result;
 }
 

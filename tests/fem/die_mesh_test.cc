@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fem/die_mesh_data.h>
 
-#include <gtest/gtest.h>
-
 #include <filesystem>
 #include <fstream>
+#include <gtest/gtest.h>
 #include <sstream>
 #include <stdexcept>
 
@@ -20,7 +19,10 @@ std::string slurp(const std::string &file)
   return content.str();
 }
 
-std::string shipped() { return TAMP_MESHES "/cylinder_axisymmetric_4x7.msh"; }
+std::string shipped()
+{
+  return TAMP_MESHES "/cylinder_axisymmetric_4x7.msh";
+}
 
 /// What the mesh file says when read; empty if it can be read.
 std::string complaint(const std::string &file)
@@ -128,8 +130,8 @@ TEST(DieMesh, SlantingWallIsRefused)
 
 TEST(DieMesh, OtherFilesAreRefused)
 {
-  EXPECT_NE(complaint_about("tamp_text.msh", "hello\n")
-                .find("is not a gmsh file"),
-            std::string::npos);
+  EXPECT_NE(
+      complaint_about("tamp_text.msh", "hello\n").find("is not a gmsh file"),
+      std::string::npos);
 }
 } // namespace tamp::fem

@@ -2,9 +2,8 @@
 #include <fem/die_model.h>
 #include <tests/fem/test_points.h>
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 
 namespace tamp::fem
 {
@@ -89,9 +88,8 @@ TEST(DieModel, FrictionlessPressingIsUniformAndFollowsTheLaw)
     EXPECT_NEAR(expected[0][0] / expected[2][2], 0.25, 1e-12);
     const StepRecord &last = run.records.back();
     EXPECT_NEAR(last.upper_force / last.punch_area / -expected[2][2], 1, 1e-7);
-    EXPECT_NEAR(last.wall_normal_force / last.wall_area / -expected[0][0],
-                1,
-                1e-7);
+    EXPECT_NEAR(
+        last.wall_normal_force / last.wall_area / -expected[0][0], 1, 1e-7);
     EXPECT_NEAR(last.mean_relative_density, 0.6, 1e-12);
     EXPECT_NEAR(last.stage_progress, 1, 1e-12);
     for (const auto &gradient : run.model.deformation_gradients())
@@ -130,8 +128,8 @@ TEST(DieModel, PressureFallsAlongTheWallAsJanssenSays)
   const StepRecord &last = run.records.back();
   // The wall stress that is there, as the slab wants it: k of the elastic law
   // holds for the means only.
-  const double mean_axial = 0.5 * (last.upper_force + last.lower_force) /
-                            last.punch_area;
+  const double mean_axial =
+      0.5 * (last.upper_force + last.lower_force) / last.punch_area;
   const double k = last.wall_normal_force / last.wall_area / mean_axial;
   EXPECT_NEAR(k, 0.25, 0.02);
   const double height_over_diameter =

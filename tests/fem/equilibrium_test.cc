@@ -2,9 +2,8 @@
 #include <fem/equilibrium.h>
 #include <tests/fem/test_points.h>
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 
 namespace tamp::fem
 {

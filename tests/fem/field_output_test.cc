@@ -2,15 +2,13 @@
 #include <fem/die_model.h>
 #include <tests/fem/test_points.h>
 
+#include <filesystem>
 #include <gtest/gtest.h>
-
+#include <stdexcept>
 #include <vtkPointData.h>
 #include <vtkSmartPointer.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridReader.h>
-
-#include <filesystem>
-#include <stdexcept>
 
 namespace tamp::fem
 {

@@ -57,9 +57,9 @@ Response HenckyPoints::respond(const dealii::Tensor<2, 3> &F, Want want) const
       plus[l][k] += 0.5 * d;
       minus[k][l] -= 0.5 * d;
       minus[l][k] -= 0.5 * d;
-      const auto slope =
-          tangent_scale * (law_.stress(plus * F) - law_.stress(minus * F)) /
-          (2 * d);
+      const auto slope = tangent_scale *
+                         (law_.stress(plus * F) - law_.stress(minus * F)) /
+                         (2 * d);
       for (unsigned i = 0; i < 3; ++i)
         for (unsigned j = i; j < 3; ++j)
           response.tangent[i][j][k][l] = slope[i][j];
