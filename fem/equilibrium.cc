@@ -164,6 +164,7 @@ Attempt Equilibrium::attempt(const PunchMotion &motion,
   Anderson anderson(newton ? 0 : settings_.anderson_depth);
   const double floor = smallest_reaction * peak_reactions_;
   const double height = mesh_.top - mesh_.bottom;
+  points_.begin_attempt();
   trial_.increment = guess;
   contact_.prescribe(motion, trial_.increment);
 
