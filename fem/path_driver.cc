@@ -100,6 +100,8 @@ public:
     return responses_[0];
   }
 
+  void begin_attempt() { points_.begin_attempt(); }
+
   void commit()
   {
     points_.commit();
@@ -168,6 +170,7 @@ public:
   ///                is also the last trial of the probe. False: none found.
   bool find(Six &strain)
   {
+    probe_.begin_attempt();
     constexpr unsigned iterations = 40, refresh = 10;
     strain_ = strain;
     for (unsigned i = 0; i < 6; ++i)
@@ -477,6 +480,7 @@ PathEnd drive_gradients(MaterialPoints &points,
   if (observe)
     observe(record);
   for (const Tensor<2, 3> &F : gradients) {
+    probe.begin_attempt();
     if (probe.evaluate(F, Want::stress).status == Status::failed)
       return PathEnd::not_converged;
     probe.commit();
