@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <apps/parameter_entry.h>
-
 #include <apps/nearest_name.h>
-
-#include <fmt/format.h>
+#include <apps/parameter_entry.h>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace tamp::apps
 {
@@ -104,8 +102,8 @@ std::string EntryPattern::limits() const
     return "true or false";
   std::string limits;
   if (std::isfinite(range.minimum))
-    limits = fmt::format("{} {}", range.without_minimum ? ">" : ">=",
-                         range.minimum);
+    limits =
+        fmt::format("{} {}", range.without_minimum ? ">" : ">=", range.minimum);
   if (std::isfinite(range.maximum))
     limits += fmt::format("{}{} {}",
                           limits.empty() ? "" : " and ",
@@ -176,7 +174,8 @@ std::string EntryPattern::problem(const std::string &value) const
       }
       return {};
     case EntryKind::flag:
-      return value == "true" || value == "false" ? "" : "expected true or false";
+      return value == "true" || value == "false" ? ""
+                                                 : "expected true or false";
     case EntryKind::choice:
       return std::ranges::count(names, value) ? "" : one_of(names, value);
     case EntryKind::choices:

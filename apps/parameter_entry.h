@@ -48,7 +48,7 @@ struct ParameterEntry {
   std::string text;
   EntryPattern pattern;
   std::string value;
-  std::string source;          ///< "file:line", "--set"; empty for the default
+  std::string source;           ///< "file:line", "--set"; empty for the default
   std::filesystem::path folder; ///< of the file
 
   /// "Section/Name".

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <apps/parameter_file.h>
-
 #include <apps/units.h>
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
-
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 namespace tamp::apps
 {
@@ -67,9 +65,8 @@ public:
       line.clear();
     }
     if (section_.size() > outer)
-      throw InputError(fmt::format("{}: subsection '{}' has no 'end'",
-                                   opened_.back(),
-                                   section_.back()));
+      throw InputError(fmt::format(
+          "{}: subsection '{}' has no 'end'", opened_.back(), section_.back()));
   }
 
 private:
@@ -139,13 +136,11 @@ void take(const nlohmann::json &object,
           Assignments &assignments)
 {
   for (const auto &[name, value] : object.items()) {
-    Assignment assignment{
-        section, name, "", file.string(), file.parent_path()};
+    Assignment assignment{section, name, "", file.string(), file.parent_path()};
     if (value.is_object() && !value.contains("value")) {
       auto inner = section;
       inner.push_back(name);
-      assignments.push_back(
-          {inner, "", "", file.string(), file.parent_path()});
+      assignments.push_back({inner, "", "", file.string(), file.parent_path()});
       take(value, inner, file, assignments);
       continue;
     }

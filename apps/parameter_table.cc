@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <apps/parameter_table.h>
-
 #include <apps/nearest_name.h>
 #include <apps/parameter_entry.h>
 #include <apps/parameter_file.h>
+#include <apps/parameter_table.h>
 
 #include <deal.II/base/parameter_handler.h>
 
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
 #include <cassert>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
 #include <ostream>
 #include <sstream>
 
@@ -392,14 +390,13 @@ void ParameterTable::print(std::ostream &out, TableFormat format) const
                          "|\n|---|---|---|---|---|\n",
                          fmt::join(section, " / "));
     }
-    out << fmt::format("| {} | {} | {} | {} | {} |\n",
-                       entry.name,
-                       entry.default_value.empty()
-                           ? ""
-                           : "`" + entry.default_value + "`",
-                       entry.pattern.limits(),
-                       entry.pattern.unit(),
-                       entry.text);
+    out << fmt::format(
+        "| {} | {} | {} | {} | {} |\n",
+        entry.name,
+        entry.default_value.empty() ? "" : "`" + entry.default_value + "`",
+        entry.pattern.limits(),
+        entry.pattern.unit(),
+        entry.text);
   }
 }
 
@@ -413,8 +410,7 @@ void ParameterTable::echo(std::ostream &out) const
   };
   for (const ParameterEntry &entry : implementation_->entries) {
     while (section.size() > entry.section.size() ||
-           !std::equal(
-               section.begin(), section.end(), entry.section.begin()))
+           !std::equal(section.begin(), section.end(), entry.section.begin()))
       leave();
     while (section.size() < entry.section.size()) {
       out << indent() << "subsection " << entry.section[section.size()] << '\n';
