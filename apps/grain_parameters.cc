@@ -128,6 +128,9 @@ void declare_packing(ParameterTable &table)
                  {-1, 10, false, false},
                  "mu while packing; negative: as between grains. Less friction "
                  "packs denser");
+  table.flag("Same at all points",
+             false,
+             "All material points start from the same packing");
   table.leave();
 }
 
@@ -146,7 +149,7 @@ void declare_cell(ParameterTable &table)
                  "Mean force on a grain over mean contact force, at "
                  "equilibrium; quasi-static");
   table.quantity("Maximum strain increment",
-                 "5e-3",
+                 "1e-2",
                  dimension::number,
                  {0, 0.1, true, false},
                  "A larger one is divided; quasi-static");
@@ -237,6 +240,8 @@ void read_grains(const ParameterTable &table,
   packing.pressure = table.number("Packing/Pressure");
   packing.friction_during_packing =
       table.number("Packing/Friction during packing");
+
+  material.same_packing = table.on("Packing/Same at all points");
 
   dem::Driving &driving = material.driving;
   driving.method = chosen<dem::Method>(table, "Cell/Method", methods);

@@ -23,7 +23,7 @@ set datafile columnheaders
 set border 3 linewidth 1.5 linecolor rgb "#444444"
 set tics nomirror out scale 0.6 textcolor rgb "#222222"
 set grid linecolor rgb "#dddddd" linetype 1 linewidth 1
-set key noenhanced spacing 1.2
+set key noenhanced Left reverse spacing 1.2
 set linetype 1 linecolor rgb "#0b6e99" linewidth 3.5 pointtype 7
 set linetype 2 linecolor rgb "#d1495b" linewidth 3.5 pointtype 7
 set linetype 3 linecolor rgb "#edae49" linewidth 3.5 pointtype 7
@@ -139,10 +139,10 @@ plot "../curve.csv" using (column("step")):(column("upper_pressure[Pa]") / 1e6) 
 set xlabel "upper punch displacement [mm]"
 set ylabel "force [kN]"
 set key left top
-x = "upper_displacement[m]"
-plot "../curve.csv" using (column(x) * 1e3):(column("upper_force[N]") / 1e3) with lines title "upper punch", \
-     "" using (column(x) * 1e3):(column("lower_force[N]") / 1e3) with lines title "lower punch", \
-     "" using (column(x) * 1e3):(column("wall_friction_force[N]") / 1e3) with lines title "wall friction"
+travel = "upper_displacement[m]"
+plot "../curve.csv" using (column(travel) * 1e3):(column("upper_force[N]") / 1e3) with lines title "upper punch", \
+     "" using (column(travel) * 1e3):(column("lower_force[N]") / 1e3) with lines title "lower punch", \
+     "" using (column(travel) * 1e3):(column("wall_friction_force[N]") / 1e3) with lines title "wall friction"
 )"},
       {"transmission",
        fmt::format(R"(set title "Transmission of the punch force while pressing"
@@ -188,9 +188,9 @@ std::vector<Plot> probe_plots(bool unit_cell)
 set xlabel "axial strain {/Symbol e}_{zz} [-]"
 set ylabel "stress [MPa]"
 set key left top
-x = "strain_zz[-]"
-plot "../curve.csv" using (column(x)):(column("stress_zz[Pa]") / 1e6) with lines title "axial", \
-     "" using (column(x)):((column("stress_xx[Pa]") + column("stress_yy[Pa]")) / 2e6) with lines title "lateral"
+strain = "strain_zz[-]"
+plot "../curve.csv" using (column(strain)):(column("stress_zz[Pa]") / 1e6) with lines title "axial", \
+     "" using (column(strain)):((column("stress_xx[Pa]") + column("stress_yy[Pa]")) / 2e6) with lines title "lateral"
 )"},
                           {"density_pressure",
                            R"(set title "Relative density against pressure"
@@ -199,8 +199,8 @@ set ylabel "relative density [-]"
 set logscale x
 set format x "%g"
 unset key
-p = "pressure[Pa]"
-plot "../curve.csv" using (column(p) > 0 ? column(p) / 1e6 : NaN):(column("relative_density[-]")) with lines
+pressure = "pressure[Pa]"
+plot "../curve.csv" using (column(pressure) > 0 ? column(pressure) / 1e6 : NaN):(column("relative_density[-]")) with lines
 )"},
                           {"stress_path",
                            R"(set title "Stress path"
@@ -216,9 +216,9 @@ plot "../curve.csv" using (column("pressure[Pa]") / 1e6):(column("deviatoric_str
 set xlabel "axial strain {/Symbol e}_{zz} [-]"
 set ylabel "contacts per grain [-]"
 set key right bottom
-x = "strain_zz[-]"
-plot "../curve.csv" using (column(x)):(column("coordination_number[-]")) with lines title "all grains", \
-     "" using (column(x)):(column("mechanical_coordination_number[-]")) with lines title "grains that carry load"
+strain = "strain_zz[-]"
+plot "../curve.csv" using (column(strain)):(column("coordination_number[-]")) with lines title "all grains", \
+     "" using (column(strain)):(column("mechanical_coordination_number[-]")) with lines title "grains that carry load"
 )"});
   plots.push_back({"contacts",
                    R"(set title "Plastic and sliding contacts"
@@ -226,10 +226,10 @@ set xlabel "axial strain {/Symbol e}_{zz} [-]"
 set ylabel "share of the contacts [-]"
 set yrange [0:1.05]
 set key right center
-x = "strain_zz[-]"
+strain = "strain_zz[-]"
 share(name) = column("contacts[-]") > 0 ? column(name) / column("contacts[-]") : NaN
-plot "../curve.csv" using (column(x)):(share("plastic_contacts[-]")) with lines title "plastic", \
-     "" using (column(x)):(share("sliding_contacts[-]")) with lines title "sliding"
+plot "../curve.csv" using (column(strain)):(share("plastic_contacts[-]")) with lines title "plastic", \
+     "" using (column(strain)):(share("sliding_contacts[-]")) with lines title "sliding"
 )"});
   return plots;
 }

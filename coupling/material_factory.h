@@ -7,7 +7,6 @@
 #include <fem/material_points.h>
 
 #include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -48,6 +47,7 @@ struct CapChoice {
 struct MaterialChoice {
   MaterialKind kind = MaterialKind::unit_cell;
   dem::PackingRequest packing; ///< its seed is that of the run
+  bool same_packing = false;   ///< all points start from the packing of point 0
   dem::Driving driving;
   bool warm = true; ///< see CellPointsOptions
   unsigned threads = 1;
@@ -61,10 +61,6 @@ struct Material {
   std::unique_ptr<fem::MaterialPoints> points;
   UnitCellPoints *cells = nullptr;
 };
-
-/// The seed of the packing of a point: every point has its own, whatever the
-/// order of work. Point 0 has the seed of the run.
-std::uint64_t packing_seed(std::uint64_t run_seed, std::size_t point);
 
 /// Makes `count` points; the only place where all materials are known.
 /// `progress` is told how many packings are ready (from one thread at a time).
