@@ -3,10 +3,12 @@
 #include <apps/parameter_table.h>
 #include <apps/run_session.h>
 
+#include <algorithm>
 #include <csignal>
 #include <fmt/format.h>
 #include <sched.h>
 #include <sstream>
+#include <stdexcept>
 #include <thread>
 
 namespace tamp::apps
@@ -89,6 +91,22 @@ RunSession::RunSession(const std::string &command,
 void RunSession::result(const std::string &name, double value)
 {
   record_.results.emplace_back(name, value);
+}
+
+int RunSession::run(const std::function<RunEnd()> &work)
+{
+  const auto attempt = [&]() -> RunEnd {
+    try {
+      return work();
+    } catch (const InputError &error) {
+      return {exit_input, error.what()};
+    } catch (const std::invalid_argument &error) {
+      return {exit_input, error.what()};
+    } catch (const std::exception &error) {
+      return {exit_output, error.what()};
+    }
+  };
+  return finish(attempt());
 }
 
 int RunSession::finish(const RunEnd &end)

@@ -8,6 +8,7 @@
 #include <apps/run_log.h>
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -58,13 +59,17 @@ public:
   /// Adds a key result, "name[unit]".
   void result(const std::string &name, double value);
 
-  /// Writes run.json and summary.txt, says how it ended, and gives the
-  /// program's exit code.
-  int finish(const RunEnd &end);
+  /// Does the work of the run, then writes run.json and summary.txt, says how
+  /// it ended, and gives the program's exit code. Exceptions of the work end
+  /// the run like any other end: InputError and std::invalid_argument with 2,
+  /// all others with 4.
+  int run(const std::function<RunEnd()> &work);
   /// The end after a signal that was caught.
   static RunEnd interrupted(int signal);
 
 private:
+  int finish(const RunEnd &end);
+
   RunInput input_;
   RunRecord record_;
   std::unique_ptr<RunFolder> folder_;
