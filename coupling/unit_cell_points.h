@@ -14,8 +14,8 @@ namespace tamp::coupling
 {
 /// What the last evaluate() of the cells cost and how good it is.
 struct CellReport {
-  double mean_evaluations = 0;  ///< force evaluations per cell
-  double worst_unbalance = 0;   ///< largest unbalance of a cell [-]
+  double mean_evaluations = 0; ///< force evaluations per cell
+  double worst_unbalance = 0;  ///< largest unbalance of a cell [-]
   std::size_t worst_unbalance_point = 0;
   double worst_hill_mandel = 0; ///< largest residual of a cell [-]
   double worst_asymmetry = 0;   ///< largest |skw stress| / |stress| [-]
@@ -32,8 +32,10 @@ struct CellPointsOptions {
 };
 
 /// Grains as material points: each point owns a committed and a trial unit
-/// cell. Rotation is split off and costs no sweep. The tangent is the Voigt
-/// contact tangent times the secant of the last committed step.
+/// cell. Rotation is split off and costs no sweep: with F = R U the cell, in
+/// its own frame Q, feels Q^T U Q, and the stress is turned back by R Q. The
+/// tangent is the Voigt contact tangent times the secant of the last committed
+/// step. The answer of a point depends on its own history only, not on threads.
 class UnitCellPoints final : public fem::MaterialPoints
 {
 public:
@@ -42,6 +44,7 @@ public:
   ~UnitCellPoints() override;
 
   std::size_t size() const override;
+  void begin_attempt() override;
   void evaluate(std::span<const fem::Deformation> deformations,
                 fem::Want want,
                 std::span<fem::Response> responses) override;
@@ -60,10 +63,16 @@ public:
   /// The committed cell of a point, in its own frame.
   const dem::UnitCell &cell(std::size_t point) const;
   /// The rotation from the frame of a point's cell to the die's.
-  const dealii::Tensor<2, 3> &rotation(std::size_t point) const;
+  dem::Matrix3 rotation(std::size_t point) const;
 
 private:
   struct Point;
+  void evaluate_point(Point &point,
+                      const fem::Deformation &deformation,
+                      fem::Want want,
+                      fem::Response &response) const;
+  void summarise(std::span<fem::Response> responses);
+
   std::vector<Point> points_;
   CellPointsOptions options_;
   CellReport report_;

@@ -26,14 +26,14 @@ struct QuasiStatic {
   /// Contact forces below this count as this in the unbalance [N].
   double force_floor = 0;
   /// A larger stretch increment is divided into equal parts [-].
-  double maximum_strain_increment = 5e-3;
+  double maximum_strain_increment = 1e-2;
   std::size_t maximum_evaluations = 1000; ///< of all forces, per part
 };
 
 /// Settings of the damped dynamics of Sheng et al. (2004), eqs (1)-(6).
 struct Dynamics {
-  double strain_rate = 1e-5;      ///< largest principal rate [1/s]
-  double density_scaling = 1e12;  ///< factor on the density of the grains [-]
+  double strain_rate = 1e-5;       ///< largest principal rate [1/s]
+  double density_scaling = 1e12;   ///< factor on the density of the grains [-]
   double time_step_fraction = 0.2; ///< of the Rayleigh time step [-]
   /// beta_g as a share of the critical damping of a mean grain [-].
   double global_damping = 0.05;
@@ -71,6 +71,8 @@ struct CellAnswer {
   Eigen::Matrix3d stress = Eigen::Matrix3d::Zero(); ///< Cauchy, contacts only,
                                                     ///< tension positive [Pa]
   double unbalance = 0; ///< mean |F| of grains / mean |f| of contacts [-]
+  /// |micro work - macro work| / (|stress| |strain|) of the last increment [-].
+  double hill_mandel = 0;
   std::size_t evaluations = 0; ///< of all contact forces
 };
 

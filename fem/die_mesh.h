@@ -28,7 +28,7 @@ public:
   /// (r, z) of every material point at the start [m].
   const std::vector<dealii::Tensor<1, 2>> &point_positions() const;
 
-  struct Data; ///< the triangulation, seen by fem only
+  struct Data; ///< nodes, cells and edges: fem/die_mesh_data.h
   const Data &data() const { return *data_; }
 
 private:

@@ -48,6 +48,11 @@ public:
 
   virtual std::size_t size() const = 0;
 
+  /// Tells that a new attempt at a step begins: what a material may keep from
+  /// earlier trials to be faster is forgotten, so that an attempt that was
+  /// given up leaves no trace.
+  virtual void begin_attempt() {}
+
   /// Computes a trial state for each point from its committed state, which
   /// stays as it is. @param deformations, responses  one per point.
   virtual void evaluate(std::span<const Deformation> deformations,

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <coupling/polar.h>
+#include <coupling/unit_cell_points.h>
+#include <coupling/work_sharing.h>
+#include <dem/measures.h>
+#include <dem/stretch.h>
+#include <dem/tangent.h>
+#include <dem/unit_cell_bytes.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstring>
+#include <numeric>
+#include <stdexcept>
+
+namespace tamp::coupling
+{
+namespace
+{
+// A secant outside these bounds is noise. Measured: steps then converge in the
+// fewest updates.
+constexpr double smallest_secant = 0.2, largest_secant = 1.2;
+} // namespace
+
+/// One material point: the committed state, then the trial's.
+struct UnitCellPoints::Point {
+  dem::UnitCell committed;
+  dem::Matrix3 rotation = dem::Matrix3::Identity(); ///< cell to die
+  dem::Matrix3 stress = dem::Matrix3::Zero();       ///< in the die's frame [Pa]
+  double secant = 1; ///< of the last committed step, over Voigt [-]
+  dem::WarmGuess guess;
+  double seconds = 0; ///< of the last evaluation
+
+  dem::UnitCell trial;
+  dem::Matrix3 trial_rotation = dem::Matrix3::Identity();
+  dem::Matrix3 trial_stress = dem::Matrix3::Zero();
+  dem::Matrix3 carried_stress; ///< committed stress, turned by R [Pa]
+  dem::Matrix3 log_stretch;    ///< of the trial, in the die's frame [-]
+  Tangent4 voigt;              ///< of the last trial that was asked for it
+  bool has_voigt = false, has_trial = false;
+  dem::CellAnswer answer;
+  double asymmetry = 0;
+
+  void adopt();
+};
+
+void UnitCellPoints::Point::adopt()
+{
+  if (has_voigt) {
+    const dealii::SymmetricTensor<2, 3> strain = to_tensor(log_stretch),
+                                        gain = to_tensor(trial_stress -
+                                                         carried_stress);
+    const double stiff = strain * (voigt * strain);
+    if (stiff > 0)
+      secant =
+          std::clamp(gain * strain / stiff, smallest_secant, largest_secant);
+  }
+  std::swap(committed, trial);
+  rotation = trial_rotation;
+  stress = trial_stress;
+  guess.clear();
+  has_voigt = has_trial = false;
+}
+
+UnitCellPoints::UnitCellPoints(std::vector<dem::UnitCell> cells,
+                               const CellPointsOptions &options)
+    : options_(options)
+{
+  options_.driving.check();
+  points_.resize(cells.size());
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    points_[i].committed = std::move(cells[i]);
+    points_[i].stress = dem::measure(points_[i].committed).stress;
+  }
+}
+
+UnitCellPoints::~UnitCellPoints() = default;
+
+std::size_t UnitCellPoints::size() const
+{
+  return points_.size();
+}
+
+void UnitCellPoints::begin_attempt()
+{
+  for (Point &point : points_)
+    point.guess.clear();
+}
+
+void UnitCellPoints::evaluate(std::span<const fem::Deformation> deformations,
+                              fem::Want want,
+                              std::span<fem::Response> responses)
+{
+  if (deformations.size() != size() || responses.size() != size())
+    throw std::invalid_argument("one deformation and one response per point");
+  std::vector<std::size_t> order(size());
+  std::iota(order.begin(), order.end(), std::size_t(0));
+  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
+    return points_[a].seconds > points_[b].seconds;
+  });
+  share_work(order, options_.threads, [&](std::size_t i) {
+    evaluate_point(points_[i], deformations[i], want, responses[i]);
+  });
+  summarise(responses);
+}
+
+void UnitCellPoints::evaluate_point(Point &point,
+                                    const fem::Deformation &deformation,
+                                    fem::Want want,
+                                    fem::Response &response) const
+{
+  const auto start = std::chrono::steady_clock::now();
+  const PolarSplit split = polar_split(to_matrix(deformation.relative_F));
+  const dem::Matrix3 &Q = point.rotation;
+  dem::Stretch stretch = Q.transpose() * split.stretch * Q;
+  stretch = (0.5 * (stretch + stretch.transpose())).eval();
+
+  point.trial = point.committed;
+  point.answer = dem::deform(point.trial,
+                             stretch,
+                             options_.driving,
+                             options_.warm ? &point.guess : nullptr);
+  point.has_trial = true;
+  point.trial_rotation = split.rotation * Q;
+  const dem::Matrix3 &turn = point.trial_rotation;
+  const dem::Matrix3 &raw = point.answer.stress;
+  const dem::Matrix3 symmetric = 0.5 * (raw + raw.transpose());
+  point.asymmetry =
+      raw.norm() > 0 ? (raw - symmetric).norm() / raw.norm() : 0.0;
+  point.trial_stress = turn * symmetric * turn.transpose();
+  point.carried_stress =
+      split.rotation * point.stress * split.rotation.transpose();
+  point.log_stretch = split.rotation * dem::logarithm(split.stretch) *
+                      split.rotation.transpose();
+
+  response.stress = to_tensor(point.trial_stress);
+  response.relative_density = point.trial.relative_density();
+  response.status =
+      point.answer.outcome == dem::Outcome::settled     ? fem::Status::converged
+      : point.answer.outcome == dem::Outcome::unsettled ? fem::Status::doubtful
+                                                        : fem::Status::failed;
+  if (want == fem::Want::stress_and_tangent &&
+      point.answer.outcome != dem::Outcome::diverged) {
+    point.voigt = turned(to_tangent(dem::voigt_tangent(point.trial)), turn);
+    point.has_voigt = true;
+    response.tangent = point.secant * point.voigt;
+  }
+  point.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
+          .count();
+}
+
+void UnitCellPoints::summarise(std::span<fem::Response> responses)
+{
+  report_ = {};
+  for (std::size_t i = 0; i < size(); ++i) {
+    const Point &point = points_[i];
+    report_.mean_evaluations +=
+        double(point.answer.evaluations) / double(size());
+    if (point.answer.unbalance > report_.worst_unbalance) {
+      report_.worst_unbalance = point.answer.unbalance;
+      report_.worst_unbalance_point = i;
+    }
+    report_.worst_hill_mandel =
+        std::max(report_.worst_hill_mandel, point.answer.hill_mandel);
+    report_.worst_asymmetry =
+        std::max(report_.worst_asymmetry, point.asymmetry);
+    report_.unsettled += responses[i].status == fem::Status::doubtful;
+  }
+}
+
+void UnitCellPoints::commit()
+{
+  for (Point &point : points_)
+    if (point.has_trial)
+      point.adopt();
+}
+
+void UnitCellPoints::turn()
+{
+  for (Point &point : points_) {
+    point.guess.clear();
+    point.secant = 1;
+    point.committed.last = {};
+  }
+}
+
+void UnitCellPoints::set_force_floor(double force)
+{
+  options_.driving.quasi_static.force_floor = force;
+}
+
+void UnitCellPoints::pack(std::size_t i, std::vector<char> &bytes) const
+{
+  const Point &point = points_.at(i);
+  const auto append = [&bytes](const auto &value) {
+    const char *begin = reinterpret_cast<const char *>(&value);
+    bytes.insert(bytes.end(), begin, begin + sizeof(value));
+  };
+  append(point.rotation);
+  append(point.stress);
+  append(point.secant);
+  dem::to_bytes(point.committed, bytes);
+}
+
+void UnitCellPoints::unpack(std::size_t i, std::span<const char> bytes)
+{
+  Point fresh;
+  const auto take = [&bytes](auto &value) {
+    if (bytes.size() < sizeof(value))
+      throw std::runtime_error("material point: bytes are cut off");
+    std::memcpy(static_cast<void *>(&value), bytes.data(), sizeof(value));
+    bytes = bytes.subspan(sizeof(value));
+  };
+  take(fresh.rotation);
+  take(fresh.stress);
+  take(fresh.secant);
+  fresh.committed = dem::from_bytes(bytes);
+  points_.at(i) = std::move(fresh);
+}
+
+double UnitCellPoints::cost(std::size_t i) const
+{
+  return points_.at(i).seconds;
+}
+
+const CellReport &UnitCellPoints::report() const
+{
+  return report_;
+}
+
+const dem::UnitCell &UnitCellPoints::cell(std::size_t i) const
+{
+  return points_.at(i).committed;
+}
+
+dem::Matrix3 UnitCellPoints::rotation(std::size_t i) const
+{
+  return points_.at(i).rotation;
+}
+} // namespace tamp::coupling

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef dem_dynamics_h
+#define dem_dynamics_h
+
+#include <dem/deform.h>
+#include <dem/grain_material.h>
+
+namespace tamp::dem
+{
+/// Damped motion of the grains in a cell that deforms at a constant rate of
+/// stretching, as in Sheng et al. (2004), eqs (1) and (2), by leapfrog. Contact
+/// memory is written every step. Velocities stay in the cell, so a path may be
+/// driven in pieces. Arguments as those of deform().
+CellAnswer deform_by_dynamics(UnitCell &cell,
+                              const Stretch &stretch,
+                              const Dynamics &settings);
+
+/// Rayleigh time step pi R_min / alpha sqrt(rho / G) [s], with
+/// alpha = 0.1631 nu + 0.876605. Source: Sheng et al. (2004), eqs (3)-(6).
+double rayleigh_time_step(const GrainMaterial &material,
+                          double smallest_radius,
+                          double density_scaling);
+
+/// The numbers by which a dynamic run is judged.
+struct DynamicMeasures {
+  /// strain rate x mean diameter x sqrt(density / pressure) [-]; zero without
+  /// pressure.
+  double inertial_number = 0;
+  /// (rate^2 density R_min^2 / p_y)^(1/2) [-]. Source: Sheng et al. (2004),
+  /// fig. 1, with R_min the smallest radius.
+  double scaling_number = 0;
+  double kinetic_energy = 0; ///< of the fluctuations [J]
+};
+
+/// @param pressure  mean compressive stress of the cell [Pa]
+DynamicMeasures measure_dynamics(const UnitCell &cell,
+                                 const Dynamics &settings,
+                                 double pressure);
+} // namespace tamp::dem
+
+#endif

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <dem/hill_mandel.h>
+#include <dem/measures.h>
+
+#include <Eigen/Geometry>
+
+#include <cmath>
+
+namespace tamp::dem
+{
+double hill_mandel_residual(const UnitCell &cell,
+                            const Matrix3 &back,
+                            std::span<const double> motion)
+{
+  const Matrix3 gradient = Matrix3::Identity() - back;
+  Matrix3 stress = Matrix3::Zero();
+  double micro = 0;
+  for (const ContactForce &c : contact_forces(cell)) {
+    const auto [i, j] = c.pair;
+    const Vector3 n = c.branch.normalized();
+    const Vector3 force = c.normal_force * n - c.tangential_force;
+    const double arm = c.branch.norm() / (cell.radius[i] + cell.radius[j]);
+    const Vector3 moved =
+        back * (Vector3(&motion[6 * j]) - Vector3(&motion[6 * i]));
+    const Vector3 rolled =
+        Vector3(&motion[6 * i + 3]) + Vector3(&motion[6 * j + 3]);
+    micro -= force.dot(moved + gradient * c.branch - arm * rolled.cross(n));
+    stress -= force * c.branch.transpose();
+  }
+  const double scale = stress.norm() * gradient.norm();
+  const double macro = (stress.array() * gradient.array()).sum();
+  return scale > 0 ? std::abs(micro - macro) / scale : 0.0;
+}
+} // namespace tamp::dem

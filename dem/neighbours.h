@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef dem_neighbours_h
+#define dem_neighbours_h
+
+#include <dem/contacts.h>
+#include <dem/periodic_box.h>
+#include <dem/tensors.h>
+
+#include <span>
+#include <vector>
+
+namespace tamp::dem
+{
+/// The outer of two neighbour lists: all pairs nearer than a wide skin when it
+/// was built, sorted, and what tells how long it holds. The inner list, which
+/// the sweep visits, is filtered from it.
+struct Neighbours {
+  std::vector<Pair> pairs;
+  double skin = 0;               ///< largest gap of a pair [m]
+  Matrix3 box = Matrix3::Zero(); ///< h when built [m]
+  std::vector<Vector3> place;    ///< fractional coordinates when built
+  bool operator==(const Neighbours &) const = default;
+};
+
+/// All pairs with a gap below `skin` [m], sorted. Throws std::runtime_error if
+/// the box is too narrow for nearest images (narrower than two of the largest
+/// pair's reaches).
+Neighbours find_neighbours(const PeriodicBox &box,
+                           std::span<const Vector3> place,
+                           std::span<const double> radius,
+                           double skin);
+
+/// Whether no pair outside the list can have a gap below `gap` [m].
+bool still_hold(const Neighbours &neighbours,
+                const PeriodicBox &box,
+                std::span<const Vector3> place,
+                double largest_radius,
+                double gap);
+
+/// The pairs of the list with a gap below `gap` [m] now, sorted.
+std::vector<Pair> near_pairs(const Neighbours &neighbours,
+                             const PeriodicBox &box,
+                             std::span<const Vector3> place,
+                             std::span<const double> radius,
+                             double gap);
+} // namespace tamp::dem
+
+#endif

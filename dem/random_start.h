@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef dem_random_start_h
+#define dem_random_start_h
+
+#include <dem/packing.h>
+#include <dem/unit_cell.h>
+
+namespace tamp::dem
+{
+/// Grains at random places of a cubic cell, none touching: random sequential
+/// addition, largest grains first. Throws std::runtime_error if no room is left
+/// (relative densities beyond about 0.38).
+UnitCell random_start(const PackingRequest &request);
+} // namespace tamp::dem
+
+#endif

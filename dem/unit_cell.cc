@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <dem/unit_cell.h>
+
+#include <algorithm>
+#include <numbers>
+#include <numeric>
+
+namespace tamp::dem
+{
+double UnitCell::largest_radius() const
+{
+  return std::ranges::max(radius);
+}
+
+double UnitCell::smallest_radius() const
+{
+  return std::ranges::min(radius);
+}
+
+double UnitCell::mean_radius() const
+{
+  return std::accumulate(radius.begin(), radius.end(), 0.0) / double(size());
+}
+
+double UnitCell::solid_volume() const
+{
+  double sum = 0;
+  for (double r : radius)
+    sum += r * r * r;
+  return 4.0 / 3 * std::numbers::pi * sum;
+}
+} // namespace tamp::dem

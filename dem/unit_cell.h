@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef dem_unit_cell_h
+#define dem_unit_cell_h
+
+#include <dem/contacts.h>
+#include <dem/grain_material.h>
+#include <dem/neighbours.h>
+#include <dem/periodic_box.h>
+#include <dem/tensors.h>
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace tamp::dem
+{
+/// How the grains moved in the last increment: a guess for the next.
+struct LastMotion {
+  Matrix3 log_stretch = Matrix3::Zero(); ///< ln U of the increment [-]
+  /// Per grain: non-affine displacement [m], radius x rotation [m].
+  std::vector<double> motion;
+  bool operator==(const LastMotion &) const = default;
+};
+
+/// Work and heat since the cell was made [J].
+struct EnergyAccount {
+  double work = 0;                 ///< done by the stress on the cell
+  double plastic_dissipation = 0;  ///< in the normal laws
+  double friction_dissipation = 0; ///< by sliding
+  double damping_dissipation = 0;  ///< by global damping; dynamics only
+  bool operator==(const EnergyAccount &) const = default;
+};
+
+/// A periodic sample of grains: all that its future depends on, as a value that
+/// can be copied, compared and turned into bytes.
+class UnitCell
+{
+public:
+  GrainMaterial material;
+  ContactModel contact;
+  PeriodicBox box;
+  double reference_volume = 0;   ///< V_0 of the box when the cell was made [m3]
+  std::vector<double> radius;    ///< [m]
+  std::vector<Vector3> place;    ///< fractional coordinates [-]
+  std::vector<Vector3> velocity; ///< fluctuation [m/s]; empty unless dynamic
+  std::vector<Vector3> spin;     ///< [rad/s]; empty unless dynamic
+  std::vector<ContactMemory> contacts; ///< of touching pairs, sorted
+  Neighbours neighbours;
+  LastMotion last;
+  EnergyAccount energy;
+
+  std::size_t size() const { return radius.size(); }
+  double largest_radius() const;
+  double smallest_radius() const;
+  double mean_radius() const;
+  /// Volume of all grains, overlaps not taken off [m3].
+  double solid_volume() const;
+  /// solid_volume() / volume of the box [-].
+  double relative_density() const { return solid_volume() / box.volume(); }
+
+  bool operator==(const UnitCell &) const = default;
+};
+} // namespace tamp::dem
+
+#endif

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fem/equilibrium.h>
+#include <tests/fem/test_points.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace tamp::fem
+{
+namespace
+{
+using test::HenckyLaw;
+using test::HenckyPoints;
+
+HenckyLaw stiffening_law()
+{
+  HenckyLaw law;
+  law.stiffening = 8;
+  return law;
+}
+
+DieMesh small_mesh()
+{
+  DieGeometry geometry;
+  geometry.radial_elements = 3;
+  geometry.axial_elements = 4;
+  return DieMesh(geometry);
+}
+
+SolverSettings solver(NonlinearMethod method, double tolerance = 1e-10)
+{
+  SolverSettings settings;
+  settings.method = method;
+  settings.force_tolerance = tolerance;
+  settings.displacement_tolerance = 1e-8;
+  settings.maximum_iterations = 40;
+  return settings;
+}
+
+PunchMotion down(double distance)
+{
+  PunchMotion motion;
+  motion.upper = -distance;
+  return motion;
+}
+
+/// Mesh, points and solver.
+struct Bench {
+  DieMesh mesh = small_mesh();
+  HenckyPoints points;
+  Equilibrium equilibrium;
+
+  explicit Bench(const SolverSettings &settings, double friction = 0.3)
+      : points(mesh.number_of_points(), stiffening_law()),
+        equilibrium(mesh.data(), points, friction, settings, 0.2)
+  {
+  }
+
+  Attempt attempt(const PunchMotion &motion)
+  {
+    const Displacement guess(mesh.data().number_of_dofs(), 0.);
+    return equilibrium.attempt(motion, guess, false);
+  }
+};
+} // namespace
+
+TEST(Equilibrium, NewtonConvergesQuadratically)
+{
+  // Residual after each iteration, by asking for less and less of them.
+  std::vector<double> residuals;
+  for (unsigned iterations = 2; iterations <= 8; ++iterations) {
+    SolverSettings settings = solver(NonlinearMethod::newton, 1e-300);
+    settings.maximum_iterations = iterations;
+    Bench bench(settings);
+    residuals.push_back(bench.attempt(down(4e-4)).force_residual);
+  }
+  unsigned quadratic = 0;
+  for (std::size_t i = 0; i + 1 < residuals.size(); ++i)
+    if (residuals[i] < 1e-1 && residuals[i] > 1e-6) {
+      EXPECT_LT(residuals[i + 1],
+                std::max(1e-12, 5 * residuals[i] * residuals[i]))
+          << i;
+      ++quadratic;
+    }
+  EXPECT_GE(quadratic, 1u);
+  EXPECT_LT(residuals.back(), 1e-12);
+}
+
+TEST(Equilibrium, AndersonConvergesWithAWrongTangent)
+{
+  for (const double scale : {0.8, 1.7}) {
+    Bench bench(solver(NonlinearMethod::anderson, 1e-6));
+    bench.points.tangent_scale = scale;
+    const Attempt attempt = bench.attempt(down(3e-5));
+    EXPECT_TRUE(attempt.converged) << attempt.reason;
+    EXPECT_LE(attempt.iterations, 12u);
+  }
+}
+
+TEST(Equilibrium, BothMethodsFindTheSameState)
+{
+  Bench newton(solver(NonlinearMethod::newton));
+  Bench anderson(solver(NonlinearMethod::anderson));
+  ASSERT_TRUE(newton.attempt(down(2e-4)).converged);
+  ASSERT_TRUE(anderson.attempt(down(2e-4)).converged);
+  for (std::size_t i = 0; i < newton.equilibrium.increment().size(); ++i)
+    EXPECT_NEAR(newton.equilibrium.increment()[i],
+                anderson.equilibrium.increment()[i],
+                1e-7 * 2e-4);
+}
+
+TEST(Equilibrium, LoadedPunchMatchesTheMovedOne)
+{
+  Bench moved(solver(NonlinearMethod::newton));
+  const Attempt first = moved.attempt(down(2e-4));
+  ASSERT_TRUE(first.converged);
+  Bench loaded(solver(NonlinearMethod::newton));
+  PunchMotion motion;
+  motion.upper_is_loaded = true;
+  motion.upper_force = first.forces.upper;
+  const Attempt second = loaded.attempt(motion);
+  ASSERT_TRUE(second.converged) << second.reason;
+  for (std::size_t i = 0; i < moved.equilibrium.increment().size(); ++i)
+    EXPECT_NEAR(moved.equilibrium.increment()[i],
+                loaded.equilibrium.increment()[i],
+                1e-7 * 2e-4);
+}
+
+TEST(Equilibrium, FailedAttemptLeavesNoTrace)
+{
+  const std::vector<double> taken = {1e-4, 5e-5, 6e-5};
+  Bench clean(solver(NonlinearMethod::anderson));
+  for (const double distance : taken) {
+    ASSERT_TRUE(clean.attempt(down(distance)).converged);
+    clean.equilibrium.accept();
+  }
+  Bench disturbed(solver(NonlinearMethod::anderson));
+  unsigned spoilt = 0;
+  for (const double distance : taken) {
+    disturbed.points.spoil = [&](unsigned evaluation,
+                                 std::span<Response> responses) {
+      if (evaluation % 3 == 0) {
+        responses[5].status = Status::failed;
+        responses[5].stress *= std::nan("");
+        ++spoilt;
+      }
+    };
+    const Attempt attempt = disturbed.attempt(down(2 * distance));
+    EXPECT_FALSE(attempt.converged);
+    EXPECT_EQ(attempt.point, 5u);
+    disturbed.points.spoil = {};
+    ASSERT_TRUE(disturbed.attempt(down(distance)).converged);
+    disturbed.equilibrium.accept();
+  }
+  EXPECT_EQ(spoilt, taken.size());
+  EXPECT_FALSE(disturbed.points.committed_spoilt);
+  const CompactState &a = clean.equilibrium.state();
+  const CompactState &b = disturbed.equilibrium.state();
+  for (std::size_t n = 0; n < a.positions.size(); ++n)
+    EXPECT_EQ(a.positions[n], b.positions[n]);
+  for (std::size_t p = 0; p < a.responses.size(); ++p)
+    EXPECT_EQ(a.responses[p].stress, b.responses[p].stress);
+  EXPECT_EQ(a.wall_friction, b.wall_friction);
+}
+
+TEST(Equilibrium, GuardRefusesAnOpeningState)
+{
+  Bench bench(solver(NonlinearMethod::newton));
+  ASSERT_TRUE(bench.attempt(down(1e-4)).converged);
+  bench.equilibrium.accept();
+  const Displacement guess(bench.mesh.data().number_of_dofs(), 0.);
+  const Attempt attempt = bench.equilibrium.attempt(down(-8e-5), guess, true);
+  EXPECT_FALSE(attempt.converged);
+  EXPECT_EQ(attempt.reason, "a material point opens");
+  EXPECT_TRUE(bench.equilibrium.attempt(down(-8e-5), guess, false).converged);
+}
+} // namespace tamp::fem
