@@ -160,56 +160,17 @@ Attempt Equilibrium::attempt(const PunchMotion &motion,
 {
   Attempt attempt;
   Progress progress;
-  const bool newton = settings_.method == NonlinearMethod::newton;
-  Anderson anderson(newton ? 0 : settings_.anderson_depth);
-  const double floor = smallest_reaction * peak_reactions_;
-  const double height = mesh_.top - mesh_.bottom;
+  Anderson anderson(is_newton() ? 0 : settings_.anderson_depth);
   points_.begin_attempt();
   trial_.increment = guess;
   contact_.prescribe(motion, trial_.increment);
 
-  while (true) {
-    const bool first = attempt.iterations == 0;
-    const Want want = first || newton ? Want::stress_and_tangent : Want::stress;
-    if (!deform(attempt))
-      return attempt;
-    ++attempt.iterations;
-    if (!evaluate(want, attempt))
-      return attempt;
-
-    std::vector<double> internal;
-    {
-      const StopWatch watch(times_.assembly);
-      internal = internal_forces(mesh_, trial_.positions, trial_.responses);
-      if (want == Want::stress_and_tangent)
-        assemble_stiffness(
-            mesh_, trial_.positions, trial_.responses, stiffness_);
-    }
-    if (first)
-      contact_.begin(stiffness_, motion, state_.wall_friction);
-    else if (newton)
-      contact_.forget_factors();
-    trial_.forces = contact_.forces(internal, trial_.increment);
-    const auto imbalance = contact_.imbalance(internal, trial_.forces);
-    attempt.forces = trial_.forces;
-    const double reference = std::max(
-        {trial_.forces.reactions, floor, std::numeric_limits<double>::min()});
-    attempt.force_residual = norm(imbalance) / reference;
-    attempt.point = point_of_largest(imbalance);
-
-    std::vector<double> change;
-    {
-      const StopWatch watch(times_.linear_solver);
-      change =
-          contact_.balance(stiffness_, internal, trial_.increment, reference);
-    }
+  while (update_forces(motion, attempt)) {
+    const std::vector<double> change = balance_linearised(attempt);
     if (change.empty()) {
       attempt.reason = "the tools cannot be balanced with the tangent";
       return attempt;
     }
-    attempt.displacement_change =
-        largest(change) /
-        std::max(largest(trial_.increment), smallest_displacement * height);
     if (attempt.force_residual <= settings_.force_tolerance &&
         attempt.displacement_change <= settings_.displacement_tolerance) {
       attempt.converged = !(guard && opens(attempt));
@@ -227,6 +188,52 @@ Attempt Equilibrium::attempt(const PunchMotion &motion,
     shorten(trial_.increment, next);
     trial_.increment = next;
   }
+  return attempt;
+}
+
+bool Equilibrium::update_forces(const PunchMotion &motion, Attempt &attempt)
+{
+  const bool first = attempt.iterations == 0;
+  const bool renew = first || is_newton();
+  if (!deform(attempt))
+    return false;
+  ++attempt.iterations;
+  if (!evaluate(renew ? Want::stress_and_tangent : Want::stress, attempt))
+    return false;
+
+  const StopWatch watch(times_.assembly);
+  trial_.internal = internal_forces(mesh_, trial_.positions, trial_.responses);
+  if (renew)
+    assemble_stiffness(mesh_, trial_.positions, trial_.responses, stiffness_);
+  if (first)
+    contact_.begin(stiffness_, motion, state_.wall_friction);
+  else if (renew)
+    contact_.forget_factors();
+  trial_.forces = contact_.forces(trial_.internal, trial_.increment);
+  attempt.forces = trial_.forces;
+  const auto imbalance = contact_.imbalance(trial_.internal, trial_.forces);
+  attempt.force_residual = norm(imbalance) / reference_force();
+  attempt.point = point_of_largest(imbalance);
+  return true;
+}
+
+std::vector<double> Equilibrium::balance_linearised(Attempt &attempt)
+{
+  const StopWatch watch(times_.linear_solver);
+  const auto change = contact_.balance(
+      stiffness_, trial_.internal, trial_.increment, reference_force());
+  const double height = mesh_.top - mesh_.bottom;
+  attempt.displacement_change =
+      largest(change) /
+      std::max(largest(trial_.increment), smallest_displacement * height);
+  return change;
+}
+
+double Equilibrium::reference_force() const
+{
+  return std::max({trial_.forces.reactions,
+                   smallest_reaction * peak_reactions_,
+                   std::numeric_limits<double>::min()});
 }
 
 bool Equilibrium::opens(Attempt &attempt) const

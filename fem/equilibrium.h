@@ -85,9 +85,14 @@ private:
     NodePositions positions;
     std::vector<Deformation> deformations;
     std::vector<Response> responses;
+    std::vector<double> internal; ///< forces per degree of freedom [N]
     ToolForces forces;
   };
 
+  bool is_newton() const { return settings_.method == NonlinearMethod::newton; }
+  double reference_force() const;
+  bool update_forces(const PunchMotion &motion, Attempt &attempt);
+  std::vector<double> balance_linearised(Attempt &attempt);
   bool deform(Attempt &attempt);
   bool evaluate(Want want, Attempt &attempt);
   bool opens(Attempt &attempt) const;
