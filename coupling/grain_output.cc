@@ -3,6 +3,7 @@
 #include <dem/measures.h>
 
 #include <cmath>
+#include <fstream>
 #include <stdexcept>
 #include <vector>
 #include <vtkCellArray.h>
@@ -76,6 +77,8 @@ public:
              kind_, normal_, tangential_, plastic_, sliding_})
       data->GetCellData()->AddArray(array);
     const std::filesystem::path part = file.string() + ".part";
+    if (!std::ofstream(part)) // VTK would only print
+      throw std::runtime_error("cannot write '" + file.string() + "'");
     vtkNew<vtkXMLPolyDataWriter> writer;
     writer->SetFileName(part.c_str());
     writer->SetInputData(data);

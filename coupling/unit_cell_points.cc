@@ -12,6 +12,7 @@
 #include <cstring>
 #include <numeric>
 #include <stdexcept>
+#include <string>
 
 namespace tamp::coupling
 {
@@ -42,6 +43,7 @@ struct UnitCellPoints::Point {
   bool has_voigt = false, has_trial = false;
   dem::CellAnswer answer;
   double asymmetry = 0;
+  std::string problem; ///< why the last trial failed; empty: it did not
 
   void adopt();
 };
@@ -101,7 +103,16 @@ void UnitCellPoints::evaluate(std::span<const fem::Deformation> deformations,
     return points_[a].seconds > points_[b].seconds;
   });
   share_work(order, options_.threads, [&](std::size_t i) {
-    evaluate_point(points_[i], deformations[i], want, responses[i]);
+    Point &point = points_[i];
+    point.problem.clear();
+    try {
+      evaluate_point(point, deformations[i], want, responses[i]);
+    } catch (const std::exception &error) { // no such state of the cell
+      point.problem = error.what();
+      point.guess.clear();
+      point.has_trial = false;
+      responses[i].status = fem::Status::failed;
+    }
   });
   summarise(responses);
 }
@@ -141,6 +152,8 @@ void UnitCellPoints::evaluate_point(Point &point,
       point.answer.outcome == dem::Outcome::settled     ? fem::Status::converged
       : point.answer.outcome == dem::Outcome::unsettled ? fem::Status::doubtful
                                                         : fem::Status::failed;
+  if (point.answer.outcome == dem::Outcome::diverged)
+    point.problem = "the grains of the cell flew apart or were crushed";
   if (want == fem::Want::stress_and_tangent &&
       point.answer.outcome != dem::Outcome::diverged) {
     point.voigt = turned(to_tangent(dem::voigt_tangent(point.trial)), turn);
@@ -154,7 +167,9 @@ void UnitCellPoints::evaluate_point(Point &point,
 
 void UnitCellPoints::summarise(std::span<fem::Response> responses)
 {
-  report_ = {.mean_evaluations = step_begins_ ? 0.0 : report_.mean_evaluations};
+  const double so_far = step_begins_ ? 0.0 : report_.mean_evaluations;
+  report_ = {};
+  report_.mean_evaluations = so_far;
   step_begins_ = false;
   for (std::size_t i = 0; i < size(); ++i) {
     const Point &point = points_[i];
@@ -168,6 +183,9 @@ void UnitCellPoints::summarise(std::span<fem::Response> responses)
         std::max(report_.worst_hill_mandel, point.answer.hill_mandel);
     report_.worst_asymmetry =
         std::max(report_.worst_asymmetry, point.asymmetry);
+    if (report_.problem.empty() && !point.problem.empty())
+      report_.problem =
+          "material point " + std::to_string(i) + ": " + point.problem;
     report_.unsettled += responses[i].status == fem::Status::doubtful;
   }
 }

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace tamp::coupling
@@ -21,6 +22,7 @@ struct CellReport {
   double worst_hill_mandel = 0; ///< largest residual of a cell [-]
   double worst_asymmetry = 0;   ///< largest |skw stress| / |stress| [-]
   std::size_t unsettled = 0;    ///< cells that ran into the cap
+  std::string problem;          ///< of the first point that failed
 };
 
 /// How cells are driven and shared among threads.

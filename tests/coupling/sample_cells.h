@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef tests_coupling_sample_cells_h
+#define tests_coupling_sample_cells_h
+
+#include <coupling/packing_library.h>
+#include <coupling/unit_cell_points.h>
+#include <dem/packing.h>
+
+#include <cstddef>
+#include <vector>
+
+namespace tamp::coupling::test
+{
+/// Small cells of soft alumina granules at half a megapascal.
+inline dem::PackingRequest granules(std::size_t count = 100)
+{
+  dem::PackingRequest request;
+  request.grain_count = count;
+  request.pressure = 0.5e6;
+  request.material = {3.5e9, 0.3, 2000};
+  request.contact.limiting_pressure = 50e6;
+  request.contact.friction_coefficient = 0.35;
+  request.sizes.minimum_diameter = 450e-6;
+  request.sizes.maximum_diameter = 650e-6;
+  return request;
+}
+
+/// The packing of point 0 of a run, made once.
+inline const dem::UnitCell &sample_cell()
+{
+  static const dem::UnitCell cell =
+      make_packings(granules(), 1, false, 1).front();
+  return cell;
+}
+
+inline CellPointsOptions cold()
+{
+  CellPointsOptions options;
+  options.warm = false;
+  return options;
+}
+
+inline std::vector<dem::UnitCell> same_cells(std::size_t count)
+{
+  return std::vector<dem::UnitCell>(count, sample_cell());
+}
+
+/// Different packings, made once for all tests.
+inline std::vector<dem::UnitCell> different_cells(std::size_t count)
+{
+  static std::vector<dem::UnitCell> cells;
+  if (cells.size() < count)
+    cells = make_packings(granules(), count, false, 2);
+  return {cells.begin(), cells.begin() + std::ptrdiff_t(count)};
+}
+} // namespace tamp::coupling::test
+
+#endif

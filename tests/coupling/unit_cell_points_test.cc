@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <coupling/polar.h>
+#include <dem/measures.h>
+#include <dem/random_numbers.h>
+#include <tests/coupling/sample_cells.h>
+
+#include <cmath>
+#include <cstring>
+#include <gtest/gtest.h>
+#include <stdexcept>
+
+namespace tamp::coupling
+{
+namespace
+{
+using fem::Deformation;
+using fem::Response;
+using fem::Want;
+
+Deformation pressed(double strain)
+{
+  Deformation deformation;
+  deformation.relative_F[0][0] = deformation.relative_F[1][1] = 1;
+  deformation.relative_F[2][2] = 1 - strain;
+  return deformation;
+}
+
+std::vector<Response> evaluate(UnitCellPoints &points, const Deformation &F)
+{
+  std::vector<Response> responses(points.size());
+  points.evaluate(std::vector<Deformation>(points.size(), F),
+                  Want::stress_and_tangent,
+                  responses);
+  return responses;
+}
+
+std::vector<char> bytes_of(const UnitCellPoints &points)
+{
+  std::vector<char> bytes;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    points.pack(i, bytes);
+  return bytes;
+}
+
+TEST(UnitCellPoints, AnswersDoNotDependOnThreads)
+{
+  CellPointsOptions one, three;
+  three.threads = 3;
+  UnitCellPoints a(test::different_cells(8), one);
+  UnitCellPoints b(test::different_cells(8), three);
+  for (int step = 0; step < 3; ++step) {
+    for (double strain : {4e-3, 5e-3}) { // the second one starts warm
+      const auto x = evaluate(a, pressed(strain));
+      const auto y = evaluate(b, pressed(strain));
+      for (std::size_t i = 0; i < x.size(); ++i) {
+        EXPECT_EQ(x[i].stress, y[i].stress);
+        EXPECT_EQ(x[i].tangent, y[i].tangent);
+      }
+    }
+    a.commit();
+    b.commit();
+  }
+  EXPECT_EQ(bytes_of(a), bytes_of(b));
+}
+
+TEST(UnitCellPoints, AnAbandonedAttemptLeavesNoTrace)
+{
+  UnitCellPoints tried(test::different_cells(4), {}),
+      straight(test::different_cells(4), {});
+  for (UnitCellPoints *points : {&tried, &straight}) {
+    points->begin_attempt();
+    evaluate(*points, pressed(5e-3));
+    points->commit();
+  }
+  const std::vector<char> committed = bytes_of(tried);
+  tried.begin_attempt();
+  evaluate(tried, pressed(2e-2));
+  evaluate(tried, pressed(1.9e-2));
+  EXPECT_EQ(bytes_of(tried), committed);
+  for (UnitCellPoints *points : {&tried, &straight})
+    points->begin_attempt();
+  for (double strain : {5e-3, 4.9e-3}) {
+    const auto x = evaluate(tried, pressed(strain));
+    const auto y = evaluate(straight, pressed(strain));
+    for (std::size_t i = 0; i < x.size(); ++i)
+      EXPECT_EQ(x[i].stress, y[i].stress);
+  }
+  tried.commit();
+  straight.commit();
+  EXPECT_EQ(bytes_of(tried), bytes_of(straight));
+}
+
+TEST(UnitCellPoints, RotationCostsNoSweep)
+{
+  UnitCellPoints points(test::same_cells(1), test::cold());
+  evaluate(points, pressed(5e-3));
+  points.commit();
+  const double angle = 1.3;
+  Deformation turn;
+  turn.relative_F[0][0] = turn.relative_F[2][2] = std::cos(angle);
+  turn.relative_F[0][2] = -(turn.relative_F[2][0] = std::sin(angle));
+  turn.relative_F[1][1] = 1;
+  evaluate(points, turn);
+  EXPECT_EQ(points.report().mean_evaluations, 1);
+}
+
+TEST(UnitCellPoints, RotatedPathRotatesStress)
+{
+  // Each increment and a large rotation of its own, step by step.
+  UnitCellPoints straight(test::same_cells(1), test::cold()),
+      turning(test::same_cells(1), test::cold());
+  dem::RandomNumbers random(11);
+  dem::Matrix3 Q = dem::Matrix3::Identity();
+  for (int step = 0; step < 6; ++step) {
+    dem::Matrix3 any;
+    for (int a = 0; a < 3; ++a)
+      for (int b = 0; b < 3; ++b)
+        any(a, b) = 2 * random.next() - 1;
+    dem::Matrix3 F = dem::Matrix3::Identity() + 1e-3 * any;
+    F(2, 2) -= 4e-3;
+    const dem::Matrix3 turn =
+        polar_split(dem::Matrix3::Identity() + 0.4 * any).rotation;
+    const dem::Matrix3 turned_F = turn * Q * F * Q.transpose();
+    Deformation x, y;
+    for (int a = 0; a < 3; ++a)
+      for (int b = 0; b < 3; ++b) {
+        x.relative_F[a][b] = F(a, b);
+        y.relative_F[a][b] = turned_F(a, b);
+      }
+    Q = turn * Q;
+    const auto plain = evaluate(straight, x), rotated = evaluate(turning, y);
+    const dem::Matrix3 wanted =
+        Q * to_matrix(dealii::Tensor<2, 3>(plain[0].stress)) * Q.transpose();
+    const dem::Matrix3 found =
+        to_matrix(dealii::Tensor<2, 3>(rotated[0].stress));
+    if (step == 0) {
+      // Round-off of the stretch only: contacts have not amplified it yet.
+      EXPECT_LT((found - wanted).norm(), 1e-12 * wanted.norm());
+    }
+    // Round-off of the stretches grows along a path, as slips follow it.
+    EXPECT_LT((found - wanted).norm(), 1e-9 * wanted.norm()) << step;
+    straight.commit();
+    turning.commit();
+  }
+}
+
+TEST(UnitCellPoints, DensityFollowsTheVolume)
+{
+  UnitCellPoints points(test::same_cells(1), {});
+  const double start = points.cell(0).relative_density();
+  double volume = 1;
+  for (int step = 0; step < 20; ++step) {
+    const auto answer = evaluate(points, pressed(5e-3));
+    points.commit();
+    volume *= 1 - 5e-3;
+    EXPECT_NEAR(answer[0].relative_density * volume / start, 1, 1e-12);
+  }
+}
+
+TEST(UnitCellPoints, PackedStateContinuesToTheBit)
+{
+  UnitCellPoints points(test::different_cells(2), {});
+  for (int step = 0; step < 3; ++step) {
+    evaluate(points, pressed(5e-3));
+    points.commit();
+  }
+  UnitCellPoints copy(test::same_cells(2), {});
+  for (std::size_t i = 0; i < 2; ++i) {
+    std::vector<char> bytes;
+    points.pack(i, bytes);
+    copy.unpack(i, bytes);
+  }
+  const auto x = evaluate(points, pressed(5e-3));
+  const auto y = evaluate(copy, pressed(5e-3));
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(x[i].stress, y[i].stress);
+    EXPECT_EQ(x[i].tangent, y[i].tangent);
+  }
+}
+
+TEST(UnitCellPoints, ReportsWhatACellThatDoesNotSettleLeft)
+{
+  CellPointsOptions options;
+  options.driving.quasi_static.maximum_evaluations = 3;
+  UnitCellPoints points(test::same_cells(2), options);
+  const auto answer = evaluate(points, pressed(5e-3));
+  EXPECT_EQ(answer[0].status, fem::Status::doubtful);
+  EXPECT_EQ(points.report().unsettled, 2u);
+  EXPECT_GT(points.report().worst_unbalance,
+            options.driving.quasi_static.unbalance_tolerance);
+}
+
+TEST(UnitCellPoints, WorkOfContactsIsWorkOfStress)
+{
+  UnitCellPoints points(test::different_cells(4), {});
+  for (int step = 0; step < 10; ++step) {
+    evaluate(points, pressed(5e-3));
+    // The residual is of the order of the unbalance that is left.
+    EXPECT_LT(points.report().worst_hill_mandel, 5e-3);
+    EXPECT_LT(points.report().worst_asymmetry, 1e-3);
+    points.commit();
+  }
+}
+
+TEST(UnitCellPoints, WrongNumberOfDeformationsIsRefused)
+{
+  UnitCellPoints points(test::same_cells(2), {});
+  std::vector<Response> responses(2);
+  EXPECT_THROW(points.evaluate(std::vector<Deformation>(1, pressed(1e-3)),
+                               Want::stress,
+                               responses),
+               std::invalid_argument);
+}
+} // namespace
+} // namespace tamp::coupling
