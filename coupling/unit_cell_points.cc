@@ -34,9 +34,11 @@ struct UnitCellPoints::Point {
   dem::UnitCell trial;
   dem::Matrix3 trial_rotation = dem::Matrix3::Identity();
   dem::Matrix3 trial_stress = dem::Matrix3::Zero();
-  dem::Matrix3 carried_stress; ///< committed stress, turned by R [Pa]
-  dem::Matrix3 log_stretch;    ///< of the trial, in the die's frame [-]
-  Tangent4 voigt;              ///< of the last trial that was asked for it
+  dem::Matrix3 carried_stress =
+      dem::Matrix3::Zero(); ///< committed stress, turned by R [Pa]
+  dem::Matrix3 log_stretch =
+      dem::Matrix3::Zero(); ///< of the trial, in the die's frame [-]
+  Tangent4 voigt;           ///< of the last trial that was asked for it
   bool has_voigt = false, has_trial = false;
   dem::CellAnswer answer;
   double asymmetry = 0;
@@ -152,7 +154,8 @@ void UnitCellPoints::evaluate_point(Point &point,
 
 void UnitCellPoints::summarise(std::span<fem::Response> responses)
 {
-  report_ = {};
+  report_ = {.mean_evaluations = step_begins_ ? 0.0 : report_.mean_evaluations};
+  step_begins_ = false;
   for (std::size_t i = 0; i < size(); ++i) {
     const Point &point = points_[i];
     report_.mean_evaluations +=
@@ -174,6 +177,7 @@ void UnitCellPoints::commit()
   for (Point &point : points_)
     if (point.has_trial)
       point.adopt();
+  step_begins_ = true;
 }
 
 void UnitCellPoints::turn()

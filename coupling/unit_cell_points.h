@@ -12,9 +12,10 @@
 
 namespace tamp::coupling
 {
-/// What the last evaluate() of the cells cost and how good it is.
+/// What the step since the last commit() cost, and how good the answers of the
+/// last evaluate() are. Stays readable after commit().
 struct CellReport {
-  double mean_evaluations = 0; ///< force evaluations per cell
+  double mean_evaluations = 0; ///< force evaluations per cell, whole step
   double worst_unbalance = 0;  ///< largest unbalance of a cell [-]
   std::size_t worst_unbalance_point = 0;
   double worst_hill_mandel = 0; ///< largest residual of a cell [-]
@@ -76,6 +77,7 @@ private:
   std::vector<Point> points_;
   CellPointsOptions options_;
   CellReport report_;
+  bool step_begins_ = true;
 };
 } // namespace tamp::coupling
 

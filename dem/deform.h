@@ -71,7 +71,7 @@ struct CellAnswer {
   Eigen::Matrix3d stress = Eigen::Matrix3d::Zero(); ///< Cauchy, contacts only,
                                                     ///< tension positive [Pa]
   double unbalance = 0; ///< mean |F| of grains / mean |f| of contacts [-]
-  /// |micro work - macro work| / (|stress| |strain|) of the last increment [-].
+  /// |micro work - macro work| / sum of |contact work|, last increment [-].
   double hill_mandel = 0;
   std::size_t evaluations = 0; ///< of all contact forces
 };

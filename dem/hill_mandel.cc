@@ -14,7 +14,7 @@ double hill_mandel_residual(const UnitCell &cell,
 {
   const Matrix3 gradient = Matrix3::Identity() - back;
   Matrix3 stress = Matrix3::Zero();
-  double micro = 0;
+  double micro = 0, traffic = 0;
   for (const ContactForce &c : contact_forces(cell)) {
     const auto [i, j] = c.pair;
     const Vector3 n = c.branch.normalized();
@@ -24,11 +24,13 @@ double hill_mandel_residual(const UnitCell &cell,
         back * (Vector3(&motion[6 * j]) - Vector3(&motion[6 * i]));
     const Vector3 rolled =
         Vector3(&motion[6 * i + 3]) + Vector3(&motion[6 * j + 3]);
-    micro -= force.dot(moved + gradient * c.branch - arm * rolled.cross(n));
+    const double work =
+        force.dot(moved + gradient * c.branch - arm * rolled.cross(n));
+    micro -= work;
+    traffic += std::abs(work);
     stress -= force * c.branch.transpose();
   }
-  const double scale = stress.norm() * gradient.norm();
   const double macro = (stress.array() * gradient.array()).sum();
-  return scale > 0 ? std::abs(micro - macro) / scale : 0.0;
+  return traffic > 0 ? std::abs(micro - macro) / traffic : 0.0;
 }
 } // namespace tamp::dem

@@ -10,7 +10,7 @@
 namespace tamp::dem
 {
 /// How far the work of the contacts is from the work of the stress over an
-/// increment: |micro - macro| / (|stress| |G|) [-], with
+/// increment: |micro - macro| / (1/V sum |f . du|) [-], with
 /// micro = -1/V sum f . du, du the relative displacement of the two surfaces,
 /// and macro = stress : G, G = I - U^-1. It vanishes at exact equilibrium.
 /// @param cell    after the increment

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef apps_cell_columns_h
+#define apps_cell_columns_h
+
+#include <coupling/unit_cell_points.h>
+#include <dem/measures.h>
+
+#include <string>
+#include <vector>
+
+namespace tamp::apps
+{
+/// "xx", "yy", "zz", "yz", "xz", "xy".
+extern const std::vector<std::string> six_names;
+
+/// Names of what a probe's curve says of a cell.
+std::vector<std::string> cell_header();
+
+/// The values that belong to cell_header(), of the committed cell of a point.
+/// Compression positive; energies per volume of the cell when it was made.
+std::vector<double> cell_values(const coupling::UnitCellPoints &cells,
+                                std::size_t point);
+} // namespace tamp::apps
+
+#endif

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef apps_commands_h
+#define apps_commands_h
+
+#include <apps/run_session.h>
+
+#include <filesystem>
+#include <string>
+
+namespace tamp::apps
+{
+/// Each function is a command of the program and returns its exit code. Throws
+/// InputError or OutputError.
+
+/// A material point along a path.
+int run_probe(const RunOptions &options);
+/// A compact in a die.
+int run_die(const RunOptions &options);
+/// Prints all parameters: "prm", "json" or "md".
+int print_parameters(const std::string &format);
+/// Reads an input without running it, says what is wrong with it.
+int check_parameters(const std::filesystem::path &input);
+/// Prints the names of the examples and what they show.
+int list_examples();
+/// Copies an example to `folder`/NAME.
+int copy_example(const std::string &name, const std::filesystem::path &folder);
+/// Prints BibTeX entries of tamp and what it stands on.
+int print_citations();
+} // namespace tamp::apps
+
+#endif

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <apps/curve_writer.h>
+
+#include <cassert>
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+namespace tamp::apps
+{
+CurveWriter::CurveWriter(const std::filesystem::path &file,
+                         const std::vector<std::string> &header,
+                         const std::vector<std::string> &remarks)
+    : file_(file), columns_(header.size())
+{
+  descriptor_ =
+      ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
+  if (descriptor_ < 0)
+    throw OutputError(fmt::format(
+        "'{}' cannot be written: {}", file.string(), std::strerror(errno)));
+  for (const std::string &remark : remarks)
+    append("# " + remark + "\n");
+  append(fmt::format("{}\n", fmt::join(header, ",")));
+}
+
+CurveWriter::~CurveWriter()
+{
+  if (descriptor_ >= 0)
+    ::close(descriptor_);
+}
+
+void CurveWriter::append(const std::string &line)
+{
+  const char *rest = line.data();
+  std::size_t left = line.size();
+  while (left > 0) {
+    const ssize_t written = ::write(descriptor_, rest, left);
+    if (written < 0 && errno == EINTR)
+      continue;
+    if (written < 0)
+      throw OutputError(fmt::format(
+          "'{}' cannot be written: {}", file_.string(), std::strerror(errno)));
+    rest += written;
+    left -= static_cast<std::size_t>(written);
+  }
+}
+
+void CurveWriter::write(std::span<const double> values)
+{
+  assert(values.size() == columns_);
+  append(fmt::format("{}\n", fmt::join(values, ",")));
+}
+} // namespace tamp::apps

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef apps_curve_writer_h
+#define apps_curve_writer_h
+
+#include <filesystem>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace tamp::apps
+{
+/// A file or folder that cannot be written: the program ends with exit code 4.
+class OutputError : public std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+/// A CSV file that grows line by line: remarks after #, one header line of
+/// names with units, then numbers with all their digits. A line is on disk as a
+/// whole or not at all.
+class CurveWriter
+{
+public:
+  /// Throws OutputError naming the file if it cannot be written.
+  CurveWriter(const std::filesystem::path &file,
+              const std::vector<std::string> &header,
+              const std::vector<std::string> &remarks = {});
+  ~CurveWriter();
+  CurveWriter(const CurveWriter &) = delete;
+  CurveWriter &operator=(const CurveWriter &) = delete;
+
+  /// Appends a line of as many numbers as the header has names. Throws
+  /// OutputError.
+  void write(std::span<const double> values);
+
+private:
+  void append(const std::string &line);
+
+  std::filesystem::path file_;
+  std::size_t columns_;
+  int descriptor_ = -1;
+};
+} // namespace tamp::apps
+
+#endif

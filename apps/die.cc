@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <apps/commands.h>
+#include <apps/die_output.h>
+#include <apps/die_results.h>
+#include <apps/interrupt.h>
+#include <apps/plots.h>
+#include <apps/run_material.h>
+#include <apps/schedule.h>
+#include <apps/watched_points.h>
+#include <fem/die_mesh.h>
+#include <fem/die_model.h>
+
+#include <deal.II/base/mpi.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <fmt/format.h>
+#include <optional>
+
+namespace tamp::apps
+{
+namespace
+{
+using fem::StageKind;
+
+// Cells packed below this pressure may collapse in the first steps.
+constexpr double safe_start_pressure = 0.5e6;
+constexpr double force_floor_share = 0.1;
+
+// Steps that each stage will need, roughly: for the time left.
+std::vector<double> expected_steps(const fem::DieSettings &die)
+{
+  std::vector<double> steps;
+  for (const fem::Stage &stage : die.stages) {
+    double guess = 30;
+    if (stage.kind == StageKind::press)
+      guess = 0.35 / die.steps.maximum;
+    if (stage.kind == StageKind::eject) {
+      const double way = stage.target == fem::StageTarget::rim
+                             ? 0.3 * die.geometry.fill_height
+                             : stage.value;
+      guess = way / (0.7 * die.geometry.fill_height * die.steps.unloading);
+    }
+    if (stage.kind == StageKind::hold)
+      guess = stage.steps;
+    steps.push_back(std::max(guess, 1.));
+  }
+  return steps;
+}
+
+class DieRun
+{
+public:
+  explicit DieRun(RunSession &session)
+      : session_(session), settings_(session.input().die),
+        mesh_(settings_.geometry),
+        material_(prepare_material(session, mesh_.number_of_points())),
+        points_(*material_.points, material_.cells),
+        model_(settings_,
+               mesh_,
+               points_,
+               [this](unsigned stage, double peak) { begin(stage, peak); }),
+        output_(session, model_, material_.cells),
+        curve_(session.folder().path() / "curve.csv", die_header(), remarks()),
+        steps_(expected_steps(settings_))
+  {
+  }
+
+  RunEnd work()
+  {
+    RunLog &log = session_.log();
+    log.begin(fmt::format("{} points, {} stages",
+                          mesh_.number_of_points(),
+                          settings_.stages.size()));
+    points_.take_evaluations();
+    take_step();
+    output_.write(0, true);
+    const RunEnd end = advance();
+    log.end();
+    output_.write(model_.last_step().step, true);
+    results_.give(session_);
+    give_times();
+    draw();
+    return end;
+  }
+
+private:
+  RunEnd advance()
+  {
+    while (true) {
+      if (caught_signal())
+        return RunSession::interrupted(caught_signal());
+      switch (model_.advance()) {
+      case fem::Advance::finished:
+        return {};
+      case fem::Advance::failed:
+        return {exit_not_converged, describe(model_.failure())};
+      case fem::Advance::stepped:
+        take_step();
+        output_.write(model_.last_step().step,
+                      model_.last_step().stage_progress >= 1);
+      }
+    }
+  }
+
+  std::vector<std::string> remarks() const
+  {
+    std::vector<std::string> lines{"compression is positive"};
+    for (std::size_t i = 0; i < settings_.stages.size(); ++i)
+      lines.push_back(fmt::format(
+          "stage {}: {}", i + 1, name_of(settings_.stages[i].kind)));
+    return lines;
+  }
+
+  StageKind kind(unsigned stage) const
+  {
+    return settings_
+        .stages[std::min<std::size_t>(stage, settings_.stages.size() - 1)]
+        .kind;
+  }
+
+  // The direction of loading turns: what cells learnt of it is of no use, and
+  // forces that are small against those of the peak need no perfect balance.
+  void begin(unsigned stage, double peak_pressure)
+  {
+    session_.log().detail(fmt::format("stage {}: {}, peak so far {:.4g} MPa",
+                                      stage + 1,
+                                      name_of(kind(stage)),
+                                      peak_pressure / 1e6));
+    if (!material_.cells)
+      return;
+    material_.cells->turn();
+    const double diameter =
+        session_.input().material.packing.sizes.mean_diameter;
+    const bool turning =
+        kind(stage) == StageKind::unload || kind(stage) == StageKind::eject;
+    material_.cells->set_force_floor(
+        turning ? force_floor_share * peak_pressure * diameter * diameter : 0);
+  }
+
+  void take_step()
+  {
+    const fem::StepRecord &record = model_.last_step();
+    StepEffort effort;
+    effort.wall_time = session_.log().progress().elapsed();
+    effort.evaluations = points_.take_evaluations();
+    if (material_.cells) {
+      effort.worst_unbalance = material_.cells->report().worst_unbalance;
+      effort.worst_hill_mandel = material_.cells->report().worst_hill_mandel;
+    }
+    curve_.write(die_values(record, effort));
+    results_.take(record, kind(record.stage), effort);
+    if (kind(record.stage) == StageKind::press)
+      map_ = density_map(model_);
+    session_.log().step(
+        share(record), record.step, "steps", line(record, effort));
+  }
+
+  double share(const fem::StepRecord &record) const
+  {
+    double done = 0, all = 0;
+    for (std::size_t i = 0; i < steps_.size(); ++i) {
+      all += steps_[i];
+      if (i < record.stage)
+        done += steps_[i];
+      if (i == record.stage)
+        done += steps_[i] * std::clamp(record.stage_progress, 0., 1.);
+    }
+    return done / all;
+  }
+
+  std::string line(const fem::StepRecord &record,
+                   const StepEffort &effort) const
+  {
+    const auto mega = [](double force, double area) {
+      return area > 0 ? force / area / 1e6 : 0;
+    };
+    std::string text = fmt::format(
+        "step {:4d}  {:<6} density {:.4f}  upper {:.4g}  lower {:.4g}  wall "
+        "{:.4g} MPa  iterations {}  updates {}  residual {:.1e}",
+        record.step,
+        name_of(kind(record.stage)),
+        record.mean_relative_density,
+        mega(record.upper_force, record.punch_area),
+        mega(record.lower_force, record.punch_area),
+        mega(record.wall_normal_force, record.wall_area),
+        record.iterations,
+        record.material_updates,
+        record.force_residual);
+    if (material_.cells)
+      text += fmt::format("  evaluations {:.0f}  unbalance {:.1e}",
+                          effort.evaluations,
+                          effort.worst_unbalance);
+    if (record.cuts > 0)
+      text += fmt::format("  cuts {}", record.cuts);
+    if (record.doubtful_points > 0)
+      text += fmt::format("  doubtful points {}", record.doubtful_points);
+    if (share(record) > 0.02)
+      text +=
+          "  left " + duration(session_.log().progress().left(share(record)));
+    return text;
+  }
+
+  std::string describe(const fem::Failure &failure) const
+  {
+    const auto &stress = failure.stress;
+    return fmt::format(
+        "the step after step {} ({}) did not converge: {}. Worst is point {} "
+        "at r = {:.4g} mm, z = {:.4g} mm with stress rr {:.4g}, tt {:.4g}, zz "
+        "{:.4g}, rz {:.4g} MPa (compression positive). Smaller steps "
+        "(Solver/Maximum step), a higher Packing/Pressure or more grains may "
+        "help",
+        model_.last_step().step,
+        name_of(kind(model_.last_step().stage)),
+        failure.reason,
+        failure.point,
+        1e3 * failure.position[0],
+        1e3 * failure.position[1],
+        -stress[0][0] / 1e6,
+        -stress[1][1] / 1e6,
+        -stress[2][2] / 1e6,
+        -stress[0][2] / 1e6);
+  }
+
+  void give_times()
+  {
+    const fem::ModelTimes times = model_.times();
+    session_.result("time_material[s]", times.material);
+    session_.result("time_assembly[s]", times.assembly);
+    session_.result("time_linear_solver[s]", times.linear_solver);
+    session_.result("time_model[s]", times.total);
+  }
+
+  void draw()
+  {
+    if (!session_.plots())
+      return;
+    const auto folder = session_.folder().subfolder("plots");
+    write_map(folder / "density_map.dat", map_);
+    const auto first_other =
+        std::ranges::find_if(settings_.stages, [](const auto &stage) {
+          return stage.kind != StageKind::press;
+        });
+    const std::string problem =
+        draw_plots(folder,
+                   die_plots(static_cast<unsigned>(
+                       std::distance(settings_.stages.begin(), first_other))),
+                   session_.input().output.plot_formats);
+    if (!problem.empty())
+      session_.log().warn(problem);
+  }
+
+  RunSession &session_;
+  const fem::DieSettings &settings_;
+  fem::DieMesh mesh_;
+  coupling::Material material_;
+  WatchedPoints points_;
+  fem::DieModel model_;
+  DieOutput output_;
+  CurveWriter curve_;
+  std::vector<double> steps_;
+  DieResults results_;
+  std::vector<ValueQuadrilateral> map_;
+};
+
+void warn_of_loose_cells(RunSession &session)
+{
+  const auto &material = session.input().material;
+  if (material.kind == coupling::MaterialKind::unit_cell &&
+      material.packing.pressure < safe_start_pressure)
+    session.log().warn(fmt::format(
+        "Packing/Pressure = {:.3g} MPa: packings this loose may collapse in "
+        "the first steps; 0.5 MPa or more is safe",
+        material.packing.pressure / 1e6));
+}
+
+RunEnd press(RunSession &session)
+{
+  try {
+    warn_of_loose_cells(session);
+    DieRun run(session);
+    return run.work();
+  } catch (const PackingError &error) {
+    return {exit_not_converged, error.what()};
+  }
+}
+} // namespace
+
+int run_die(const RunOptions &options)
+{
+  RunSession session("die", options, Need::die);
+  return session.run([&]() -> RunEnd {
+    // PETSc must not see our command line, and no exception may leave while
+    // MPI is up.
+    std::string name = "tamp";
+    char *words[] = {name.data(), nullptr};
+    char **arguments = words;
+    int count = 1;
+    RunEnd end;
+    std::exception_ptr problem;
+    {
+      const dealii::Utilities::MPI::MPI_InitFinalize mpi(count, arguments, 1);
+      watch_signals();
+      try {
+        if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
+          throw InputError("this version runs on one rank; use --threads");
+        end = press(session);
+      } catch (...) {
+        problem = std::current_exception();
+      }
+    }
+    if (problem)
+      std::rethrow_exception(problem);
+    return end;
+  });
+}
+} // namespace tamp::apps

@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <apps/input_sections.h>
+#include <apps/parameter_table.h>
+#include <apps/schedule.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace tamp::apps
+{
+namespace
+{
+constexpr Range a_strain{0, 0.1, true, false};
+
+void declare_geometry(ParameterTable &table)
+{
+  table.enter("Die");
+  table.choice("Shape",
+               "cylinder",
+               {"cylinder", "file"},
+               "A cylinder of Radius and Fill height, or a mesh from a file");
+  table.quantity("Radius",
+                 "6 mm",
+                 dimension::length,
+                 positive,
+                 "Of the die and of its punches");
+  table.quantity("Fill height",
+                 "7 mm",
+                 dimension::length,
+                 positive,
+                 "Of the powder at the start");
+  table.choice("Symmetry",
+               "axisymmetric",
+               {"axisymmetric"},
+               "What is computed of the compact");
+  table.choice("Upper punch", "flat", {"flat"}, "Its face");
+  table.choice("Lower punch", "flat", {"flat"}, "Its face");
+  table.text("Mesh file",
+             "",
+             "A gmsh mesh of quadrilaterals with the physical names axis, "
+             "die_wall, punch_top, punch_bottom; the path starts at the "
+             "input's folder");
+  table.integers("Elements",
+                 "4, 7",
+                 "Elements along the radius and along the height; each has "
+                 "four material points");
+  table.quantity("Wall friction coefficient",
+                 "0.2",
+                 dimension::number,
+                 not_negative,
+                 "mu between powder and die wall");
+  table.leave();
+}
+
+void declare_schedule(ParameterTable &table)
+{
+  table.enter("Schedule");
+  table.text("Stages",
+             "press to density 0.85; unload to 5 % of peak; eject by 1 mm "
+             "holding 5 % of peak",
+             "Divided by semicolons: press to density D, displacement L, force "
+             "F or pressure P; unload to R % of peak, force F, pressure P, or "
+             "by L; eject to rim or by L, holding R % of peak (upper punch); "
+             "hold N steps");
+  table.leave();
+}
+
+void declare_tolerances(ParameterTable &table)
+{
+  table.quantity("Force tolerance",
+                 "1e-3",
+                 dimension::number,
+                 a_strain,
+                 "Unbalanced force over reaction force at equilibrium");
+  table.quantity("Displacement tolerance",
+                 "1e-3",
+                 dimension::number,
+                 a_strain,
+                 "Last change of the displacement over the step's increment");
+  table.choice(
+      "Linear algebra", "petsc", {"petsc"}, "Who solves linear systems");
+  table.choice("Linear solver", "direct", {"direct"}, "direct: MUMPS");
+  table.choice("Nonlinear method",
+               "automatic",
+               {"automatic", "newton", "anderson"},
+               "newton: a new matrix every iteration; anderson: one a step, "
+               "accelerated; automatic: anderson for unit cells");
+  table.integer("Maximum iterations", 20, 1, "Of a step before it is cut");
+  table.integer(
+      "Anderson depth", 5, 0, "Earlier iterations that the acceleration uses");
+  table.choice("Guard against opening",
+               "automatic",
+               {"automatic", "on", "off"},
+               "Reject steps in which a point opens while the punch presses; "
+               "automatic: on for unit cells");
+}
+
+void declare_steps(ParameterTable &table)
+{
+  table.quantity("First step",
+                 "1e-3",
+                 dimension::number,
+                 a_strain,
+                 "Mean axial strain of the first step of a stage");
+  table.quantity("Maximum step",
+                 "5e-3",
+                 dimension::number,
+                 a_strain,
+                 "Mean axial strain of a step while pressing");
+  table.quantity("Maximum unloading step",
+                 "1e-3",
+                 dimension::number,
+                 a_strain,
+                 "Mean axial strain of a step while unloading and ejecting");
+  table.quantity("Minimum step",
+                 "1e-6",
+                 dimension::number,
+                 a_strain,
+                 "A step that would be smaller ends the run");
+  table.quantity("Step growth",
+                 "1.25",
+                 dimension::number,
+                 {1, 10, false, false},
+                 "Factor after a step that went well");
+  table.quantity("Step cut",
+                 "0.5",
+                 dimension::number,
+                 {0, 1, true, true},
+                 "Factor after a step that failed");
+}
+
+bool automatic(const ParameterTable &table,
+               const std::string &path,
+               const std::string &yes,
+               bool otherwise)
+{
+  const std::string word = table.word(path);
+  return word == "automatic" ? otherwise : word == yes;
+}
+
+void read_geometry(const ParameterTable &table, fem::DieSettings &die)
+{
+  fem::DieGeometry &geometry = die.geometry;
+  geometry.radius = table.number("Die/Radius");
+  geometry.fill_height = table.number("Die/Fill height");
+  const auto elements = table.indices("Die/Elements");
+  if (elements.size() != 2 || elements[0] == 0 || elements[1] == 0)
+    table.complain("Die/Elements",
+                   "expected two whole numbers > 0, along the radius and "
+                   "along the height, for example 4, 7");
+  geometry.radial_elements = static_cast<unsigned>(elements[0]);
+  geometry.axial_elements = static_cast<unsigned>(elements[1]);
+  const std::string mesh = table.word("Die/Mesh file");
+  const bool from_file = table.word("Die/Shape") == "file";
+  if (mesh.empty() && from_file)
+    table.complain("Die/Shape", "expected Die/Mesh file to name a mesh");
+  if (!mesh.empty()) {
+    const auto path = table.folder("Die/Mesh file") / mesh;
+    if (!std::filesystem::is_regular_file(path))
+      table.complain("Die/Mesh file",
+                     "there is no file '" + path.string() +
+                         "'; expected a gmsh mesh (.msh)");
+    if (!from_file)
+      table.complain("Die/Mesh file",
+                     "it needs Die/Shape = file, which is " +
+                         table.word("Die/Shape"));
+    geometry.mesh_file = path.string();
+  }
+  die.wall_friction_coefficient = table.number("Die/Wall friction coefficient");
+}
+
+void read_solver(const ParameterTable &table, bool cells, fem::DieSettings &die)
+{
+  fem::SolverSettings &solver = die.solver;
+  solver.method = automatic(table, "Solver/Nonlinear method", "anderson", cells)
+                      ? fem::NonlinearMethod::anderson
+                      : fem::NonlinearMethod::newton;
+  solver.force_tolerance = table.number("Solver/Force tolerance");
+  solver.displacement_tolerance = table.number("Solver/Displacement tolerance");
+  solver.maximum_iterations =
+      static_cast<unsigned>(table.whole("Solver/Maximum iterations"));
+  solver.anderson_depth =
+      static_cast<unsigned>(table.whole("Solver/Anderson depth"));
+  solver.guard_against_opening =
+      automatic(table, "Solver/Guard against opening", "on", cells);
+  fem::StepLimits &steps = die.steps;
+  steps.first = table.number("Solver/First step");
+  steps.maximum = table.number("Solver/Maximum step");
+  steps.unloading = table.number("Solver/Maximum unloading step");
+  steps.minimum = table.number("Solver/Minimum step");
+  steps.growth = table.number("Solver/Step growth");
+  steps.cut = table.number("Solver/Step cut");
+  if (steps.minimum >= steps.first)
+    table.complain("Solver/Minimum step",
+                   "expected less than Solver/First step = " +
+                       table.word("Solver/First step"));
+}
+
+void read_schedule(const ParameterTable &table,
+                   bool cells,
+                   fem::DieSettings &die)
+{
+  const std::string path = "Schedule/Stages";
+  const double radius = die.geometry.radius;
+  try {
+    die.stages = parse_schedule(
+        table.word(path),
+        {std::numbers::pi * radius * radius, cells ? 0.05 : 0.0});
+  } catch (const InputError &error) {
+    table.complain(path, error.what());
+  }
+  for (const fem::Stage &stage : die.stages)
+    if (cells && stage.kind == fem::StageKind::eject && stage.hold_share <= 0)
+      table.complain(
+          path,
+          "a free ejection is not possible with unit cells: grains without "
+          "adhesion fall apart as soon as the axial stress is gone. Expected "
+          "an upper punch that keeps a few per cent of the peak, for example "
+          "'eject to rim holding 5 % of peak', or a continuum law with "
+          "cohesion");
+}
+} // namespace
+
+void declare_die(ParameterTable &table)
+{
+  declare_geometry(table);
+  declare_schedule(table);
+  table.enter("Solver");
+  declare_tolerances(table);
+  declare_steps(table);
+  table.leave();
+}
+
+void read_die(const ParameterTable &table,
+              coupling::MaterialKind kind,
+              fem::DieSettings &die)
+{
+  const bool cells = kind == coupling::MaterialKind::unit_cell;
+  read_geometry(table, die);
+  read_schedule(table, cells, die);
+  read_solver(table, cells, die);
+}
+} // namespace tamp::apps

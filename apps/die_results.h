@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef apps_die_results_h
+#define apps_die_results_h
+
+#include <apps/plots.h>
+#include <apps/run_session.h>
+#include <fem/die_model.h>
+
+#include <string>
+#include <vector>
+
+namespace tamp::apps
+{
+/// What the cells of a step cost and how good they are; zero for continua.
+struct StepEffort {
+  double evaluations = 0;       ///< of all forces, per cell, in the step
+  double worst_unbalance = 0;   ///< [-]
+  double worst_hill_mandel = 0; ///< [-]
+  double wall_time = 0;         ///< since the start of the run [s]
+};
+
+/// Names of the columns of a die's curve.
+std::vector<std::string> die_header();
+/// The values that belong to die_header(). Stages count from 1.
+std::vector<double> die_values(const fem::StepRecord &record,
+                               const StepEffort &effort);
+
+/// The key results of a die, gathered step by step.
+class DieResults
+{
+public:
+  void take(const fem::StepRecord &record,
+            fem::StageKind kind,
+            const StepEffort &effort);
+  double peak_force() const { return peak_.upper_force; }
+  /// Hands all results to the session.
+  void give(RunSession &session) const;
+
+private:
+  fem::StepRecord start_, peak_, last_;
+  bool started_ = false, unloaded_ = false, ejecting_ = false;
+  double residual_wall_pressure_ = 0, unloaded_height_change_ = 0;
+  double ejection_force_ = 0, worst_balance_ = 0;
+  double worst_unbalance_ = 0, worst_hill_mandel_ = 0;
+  double evaluations_ = 0;
+  unsigned steps_ = 0, updates_ = 0, cuts_ = 0;
+};
+
+/// The quarter of its element that each material point stands for, in the
+/// committed state, with the relative density: the four points of an element
+/// fix its bilinear shape.
+std::vector<ValueQuadrilateral> density_map(const fem::DieModel &model);
+} // namespace tamp::apps
+
+#endif

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef apps_input_sections_h
+#define apps_input_sections_h
+
+#include <apps/run_input.h>
+
+namespace tamp::apps
+{
+/// @name Grains, Contact, Packing, Cell
+/// @{
+void declare_grains(ParameterTable &table);
+void read_grains(const ParameterTable &table,
+                 coupling::MaterialChoice &material);
+/// @}
+
+/// @name Material
+/// @{
+void declare_material(ParameterTable &table);
+void read_material(const ParameterTable &table,
+                   coupling::MaterialChoice &material);
+/// @}
+
+/// @name Die, Schedule, Solver
+/// @{
+void declare_die(ParameterTable &table);
+/// The kind of material decides what `automatic` means.
+void read_die(const ParameterTable &table,
+              coupling::MaterialKind kind,
+              fem::DieSettings &die);
+/// @}
+} // namespace tamp::apps
+
+#endif

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef apps_interrupt_h
+#define apps_interrupt_h
+
+namespace tamp::apps
+{
+/// From now on SIGINT and SIGTERM are noted instead of ending the program; a
+/// second one ends it at once.
+void watch_signals();
+
+/// The signal that came since watch_signals(), or 0. The step at hand is
+/// finished and results are kept; the program then ends with 128 + signal.
+int caught_signal();
+} // namespace tamp::apps
+
+#endif

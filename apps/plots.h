@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef apps_plots_h
+#define apps_plots_h
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace tamp::apps
+{
+/// A gnuplot script without terminal and output: those are added.
+struct Plot {
+  std::string name; ///< of the files, without ending
+  std::string script;
+};
+
+/// Writes `folder`/NAME.gp for each plot, which a user may edit and run again,
+/// and runs gnuplot in `folder` for each format (svg, png, pdf). Never throws
+/// because of gnuplot: returns a sentence that says what went wrong, empty if
+/// nothing did.
+std::string draw_plots(const std::filesystem::path &folder,
+                       const std::vector<Plot> &plots,
+                       const std::vector<std::string> &formats);
+
+/// A part of the compact with one value: four corners (r, z), around [m].
+struct ValueQuadrilateral {
+  std::array<std::array<double, 2>, 4> corners;
+  double value = 0;
+};
+
+/// Writes the quadrilaterals so that gnuplot's pm3d draws them, mirrored at
+/// the axis, in mm. Throws OutputError.
+void write_map(const std::filesystem::path &file,
+               const std::vector<ValueQuadrilateral> &map);
+
+/// Plots of ../curve.csv of a die; `press_stages` counts the stages at the
+/// start of the schedule that press. The density map needs density_map.dat.
+std::vector<Plot> die_plots(unsigned press_stages);
+
+/// Plots of ../curve.csv of a probe.
+std::vector<Plot> probe_plots(bool unit_cell);
+} // namespace tamp::apps
+
+#endif

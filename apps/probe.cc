@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <apps/cell_columns.h>
+#include <apps/commands.h>
+#include <apps/curve_writer.h>
+#include <apps/interrupt.h>
+#include <apps/plots.h>
+#include <apps/run_material.h>
+#include <apps/series_writer.h>
+#include <coupling/grain_output.h>
+#include <fem/path_driver.h>
+
+#include <deal.II/base/symmetric_tensor.h>
+#include <deal.II/base/tensor.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <optional>
+
+namespace tamp::apps
+{
+namespace
+{
+using Tensor = dealii::Tensor<2, 3>;
+using SymmetricTensor = dealii::SymmetricTensor<2, 3>;
+
+struct Interrupted {
+};
+
+std::vector<std::string> probe_header(bool cells)
+{
+  std::vector<std::string> names{"step", "stage"};
+  for (const char first : {'x', 'y', 'z'})
+    for (const char second : {'x', 'y', 'z'})
+      names.push_back(fmt::format("F_{}{}[-]", first, second));
+  for (const std::string &six : six_names)
+    names.push_back("strain_" + six + "[-]");
+  for (const std::string &six : six_names)
+    names.push_back("stress_" + six + "[Pa]");
+  for (const char *name : {"pressure[Pa]",
+                           "deviatoric_stress[Pa]",
+                           "relative_density[-]",
+                           "void_ratio[-]"})
+    names.emplace_back(name);
+  if (cells)
+    std::ranges::copy(cell_header(), std::back_inserter(names));
+  return names;
+}
+
+// ln V of F = V R; exact if F is diagonal.
+SymmetricTensor logarithmic_strain(const Tensor &F)
+{
+  const SymmetricTensor b = symmetrize(F * transpose(F));
+  SymmetricTensor strain;
+  if (b[0][1] == 0 && b[0][2] == 0 && b[1][2] == 0) {
+    for (unsigned i = 0; i < 3; ++i)
+      strain[i][i] = 0.5 * std::log(b[i][i]);
+    return strain;
+  }
+  for (const auto &[value, axis] :
+       eigenvectors(b, dealii::SymmetricTensorEigenvectorMethod::jacobi))
+    strain += 0.5 * std::log(value) * symmetrize(outer_product(axis, axis));
+  return strain;
+}
+
+void append_six(const SymmetricTensor &tensor, std::vector<double> &values)
+{
+  for (const auto &[i, j] :
+       {std::pair{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}})
+    values.push_back(tensor[i][j]);
+}
+
+class ProbeRun
+{
+public:
+  explicit ProbeRun(RunSession &session)
+      : session_(session), path_(session.input().path),
+        material_(prepare_material(session, 1)),
+        curve_(session.folder().path() / "curve.csv",
+               probe_header(material_.cells != nullptr),
+               remarks()),
+        grains_(session.folder(), "grains.pvd")
+  {
+    for (const ProbeStage &probe : path_.stages)
+      stages_.push_back(probe.stage);
+  }
+
+  RunEnd work()
+  {
+    session_.log().begin("probing");
+    const RunEnd end = drive();
+    session_.log().end();
+    write_grains();
+    session_.result("steps[-]", step_);
+    session_.result("peak_axial_stress[Pa]", peak_);
+    session_.result("strain_at_peak[-]", strain_at_peak_);
+    session_.result("final_strain[-]", strain_);
+    session_.result("final_axial_stress[Pa]", axial_);
+    session_.result("final_lateral_stress[Pa]", lateral_);
+    session_.result("final_relative_density[-]", density_);
+    if (material_.cells) {
+      session_.result("force_evaluations[-]", evaluations_);
+      session_.result("worst_unbalance[-]", worst_unbalance_);
+    }
+    draw();
+    return end;
+  }
+
+private:
+  std::vector<std::string> remarks() const
+  {
+    std::vector<std::string> lines{
+        "compression is positive; strain is logarithmic, ln V"};
+    for (std::size_t i = 0; i < path_.stages.size(); ++i)
+      lines.push_back(
+          fmt::format("stage {}: {}", i + 1, path_.stages[i].stage.name));
+    return lines;
+  }
+
+  RunEnd drive()
+  {
+    const auto observe = [this](const fem::PathRecord &record) {
+      take(record);
+      if (caught_signal())
+        throw Interrupted();
+    };
+    try {
+      const fem::PathEnd end =
+          path_.gradients.empty()
+              ? fem::drive_path(
+                    *material_.points,
+                    stages_,
+                    [this](unsigned stage) { begin(stage); },
+                    observe,
+                    session_.input().stress_tolerance)
+              : fem::drive_gradients(*material_.points,
+                                     read_gradients(path_.gradients),
+                                     observe);
+      if (end == fem::PathEnd::finished)
+        return {};
+    } catch (const Interrupted &) {
+      return RunSession::interrupted(caught_signal());
+    }
+    return {exit_not_converged,
+            fmt::format("the increment after step {} did not converge, at "
+                        "axial strain {:.4g}, axial stress {:.4g} MPa, "
+                        "lateral stress {:.4g} MPa",
+                        step_,
+                        strain_,
+                        axial_ / 1e6,
+                        lateral_ / 1e6)};
+  }
+
+  // A stage that ends at a share of the peak learns here what the peak is.
+  void begin(unsigned stage)
+  {
+    if (path_.stages[stage].peak_share > 0)
+      stages_[stage].until_stress = -path_.stages[stage].peak_share * peak_;
+    if (!material_.cells)
+      return;
+    material_.cells->turn();
+    const double diameter =
+        session_.input().material.packing.sizes.mean_diameter;
+    const bool unloading =
+        stages_[stage].has_until && stages_[stage].until_above;
+    material_.cells->set_force_floor(
+        unloading ? 0.1 * peak_ * diameter * diameter : 0);
+  }
+
+  void take(const fem::PathRecord &record)
+  {
+    const SymmetricTensor stress = -record.response.stress;
+    const SymmetricTensor strain = -logarithmic_strain(record.F);
+    std::vector<double> values{static_cast<double>(record.step),
+                               static_cast<double>(record.stage + 1)};
+    for (unsigned i = 0; i < 3; ++i)
+      for (unsigned j = 0; j < 3; ++j)
+        values.push_back(record.F[i][j]);
+    append_six(strain, values);
+    append_six(stress, values);
+    values.push_back(trace(stress) / 3);
+    values.push_back(std::sqrt(1.5) * deviator(stress).norm());
+    density_ = record.response.relative_density;
+    values.push_back(density_);
+    values.push_back(1 / density_ - 1);
+    if (material_.cells)
+      std::ranges::copy(cell_values(*material_.cells, 0),
+                        std::back_inserter(values));
+    curve_.write(values);
+    remember(record, strain, stress);
+    report(record);
+    if (step_ % session_.input().output.grain_interval == 0)
+      write_grains();
+  }
+
+  void remember(const fem::PathRecord &record,
+                const SymmetricTensor &strain,
+                const SymmetricTensor &stress)
+  {
+    step_ = record.step;
+    strain_ = strain[2][2];
+    axial_ = stress[2][2];
+    lateral_ = 0.5 * (stress[0][0] + stress[1][1]);
+    if (axial_ > peak_) {
+      peak_ = axial_;
+      strain_at_peak_ = strain_;
+    }
+    if (material_.cells) {
+      evaluations_ += material_.cells->report().mean_evaluations;
+      worst_unbalance_ =
+          std::max(worst_unbalance_, material_.cells->report().worst_unbalance);
+    }
+  }
+
+  void report(const fem::PathRecord &record)
+  {
+    const double stages = std::max<double>(1, stages_.size());
+    session_.log().step(
+        record.stage / stages,
+        record.step,
+        "steps",
+        fmt::format("step {:4d}  {:<12} strain {:.5f}  axial {:.4g} MPa  "
+                    "lateral {:.4g} MPa  density {:.4f}",
+                    record.step,
+                    stages_.empty() ? "csv" : stages_[record.stage].name,
+                    strain_,
+                    axial_ / 1e6,
+                    lateral_ / 1e6,
+                    density_));
+  }
+
+  void write_grains()
+  {
+    if (!material_.cells ||
+        session_.input().output.grain_output == GrainOutput::none ||
+        written_ == step_)
+      return;
+    session_.folder().subfolder("grains");
+    const std::string file = fmt::format("grains/step_{:04d}.vtp", step_);
+    coupling::write_grains(material_.cells->cell(0),
+                           material_.cells->rotation(0),
+                           session_.folder().path() / file);
+    grains_.add(step_, 0, file);
+    written_ = step_;
+  }
+
+  void draw()
+  {
+    if (!session_.plots())
+      return;
+    const std::string problem =
+        draw_plots(session_.folder().subfolder("plots"),
+                   probe_plots(material_.cells != nullptr),
+                   session_.input().output.plot_formats);
+    if (!problem.empty())
+      session_.log().warn(problem);
+  }
+
+  RunSession &session_;
+  const ProbePath &path_;
+  coupling::Material material_;
+  CurveWriter curve_;
+  SeriesWriter grains_;
+  std::vector<fem::PathStage> stages_;
+  unsigned step_ = 0;
+  std::optional<unsigned> written_;
+  double strain_ = 0, axial_ = 0, lateral_ = 0, density_ = 0;
+  double peak_ = 0, strain_at_peak_ = 0;
+  double evaluations_ = 0, worst_unbalance_ = 0;
+};
+} // namespace
+
+int run_probe(const RunOptions &options)
+{
+  RunSession session("probe", options, Need::probe);
+  watch_signals();
+  return session.run([&]() -> RunEnd {
+    try {
+      ProbeRun run(session);
+      return run.work();
+    } catch (const PackingError &error) {
+      return {exit_not_converged, error.what()};
+    }
+  });
+}
+} // namespace tamp::apps

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <apps/probe_path.h>
+#include <apps/stage_reader.h>
+
+#include <deal.II/base/tensor.h>
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <fstream>
+
+namespace tamp::apps
+{
+namespace
+{
+using Control = fem::ComponentTarget::Control;
+
+constexpr unsigned xx = 0, yy = 1, zz = 2, xz = 4;
+// No path is driven further than this while it waits for a stress.
+constexpr double far = 1.5;
+constexpr unsigned steps_to_a_pressure = 10;
+
+fem::PathStage at_rest(const std::string &name, double increment)
+{
+  fem::PathStage stage;
+  stage.name = name;
+  stage.components.fill({Control::strain, 0, true});
+  stage.maximum_increment = increment;
+  return stage;
+}
+
+// Inputs are compression positive, the driver is tension positive.
+void compress_to(fem::PathStage &stage, unsigned component, double strain)
+{
+  stage.components[component] = {Control::strain, -strain, false};
+}
+
+void press_to(fem::PathStage &stage, unsigned component, double stress)
+{
+  stage.components[component] = {Control::stress, -stress, false};
+  stage.minimum_steps = steps_to_a_pressure;
+}
+
+void stop_at(fem::PathStage &stage, double stress, bool unloading)
+{
+  stage.components[zz] = {Control::strain, unloading ? far : -far, true};
+  stage.has_until = true;
+  stage.until_component = zz;
+  stage.until_stress = -stress;
+  stage.until_above = unloading;
+}
+
+double positive_strain(StageReader &reader)
+{
+  return reader.quantity(dimension::number);
+}
+
+void read_isotropic(StageReader &reader, fem::PathStage &stage)
+{
+  reader.expect({"to"});
+  if (reader.expect({"strain", "pressure"}) == 0) {
+    const double strain = positive_strain(reader);
+    for (const unsigned component : {xx, yy, zz})
+      compress_to(stage, component, strain);
+  } else {
+    const double pressure = reader.quantity(dimension::pressure);
+    for (const unsigned component : {xx, yy, zz})
+      press_to(stage, component, pressure);
+  }
+}
+
+void read_uniaxial(StageReader &reader, fem::PathStage &stage)
+{
+  reader.expect({"to"});
+  if (reader.expect({"strain", "stress"}) == 0)
+    compress_to(stage, zz, positive_strain(reader));
+  else
+    stop_at(stage, reader.quantity(dimension::pressure), false);
+}
+
+void read_unload(StageReader &reader, ProbeStage &probe)
+{
+  reader.expect({"to"});
+  if (reader.accept("strain")) {
+    compress_to(probe.stage, zz, positive_strain(reader));
+    return;
+  }
+  reader.accept("stress");
+  const Quantity target = reader.any_quantity();
+  const bool share = target.dimension == dimension::number;
+  if (!share && target.dimension && target.dimension != dimension::pressure)
+    reader.fail("a stress such as 100 kPa before, or a share of the peak such "
+                "as 1 %");
+  stop_at(probe.stage, share ? 0 : target.value, true);
+  if (share) {
+    probe.peak_share = target.value;
+    if (!(target.value > 0 && target.value < 1))
+      reader.fail("a share of the peak between 0 and 100 % before");
+  }
+  if (reader.accept("of"))
+    reader.expect({"peak"});
+}
+
+void read_triaxial(StageReader &reader, fem::PathStage &stage)
+{
+  reader.expect({"to"});
+  reader.expect({"strain"});
+  compress_to(stage, zz, positive_strain(reader));
+  reader.expect({"at"});
+  reader.expect({"pressure"});
+  const double pressure = reader.quantity(dimension::pressure);
+  press_to(stage, xx, pressure);
+  press_to(stage, yy, pressure);
+}
+
+void read_proportional(StageReader &reader, fem::PathStage &stage)
+{
+  const double ratio = reader.quantity(dimension::number);
+  reader.expect({"to"});
+  reader.expect({"strain"});
+  const double strain = positive_strain(reader);
+  compress_to(stage, zz, strain);
+  compress_to(stage, xx, ratio * strain);
+  compress_to(stage, yy, ratio * strain);
+}
+
+void read_components(StageReader &reader, fem::PathStage &stage)
+{
+  do {
+    const auto component = static_cast<unsigned>(
+        reader.expect({"xx", "yy", "zz", "yz", "xz", "xy"}));
+    if (reader.expect({"strain", "stress"}) == 0)
+      compress_to(stage, component, reader.quantity(dimension::number));
+    else
+      press_to(stage, component, reader.quantity(dimension::pressure));
+  } while (!reader.done());
+}
+
+ProbeStage read_stage(const std::string &text,
+                      unsigned number,
+                      const ProbeIncrements &increments)
+{
+  StageReader reader(text, number);
+  ProbeStage probe;
+  const std::vector<std::string> kinds{"isotropic",
+                                       "uniaxial",
+                                       "unload",
+                                       "triaxial",
+                                       "proportional",
+                                       "shear",
+                                       "components",
+                                       "hold",
+                                       "csv"};
+  const std::size_t kind = reader.expect(kinds);
+  fem::PathStage &stage = probe.stage;
+  stage = at_rest(kinds[kind], increments.loading);
+  switch (kind) {
+  case 0:
+    read_isotropic(reader, stage);
+    break;
+  case 1:
+    read_uniaxial(reader, stage);
+    break;
+  case 2:
+    stage.maximum_increment = increments.unloading;
+    read_unload(reader, probe);
+    break;
+  case 3:
+    read_triaxial(reader, stage);
+    break;
+  case 4:
+    read_proportional(reader, stage);
+    break;
+  case 5:
+    reader.expect({"to"});
+    reader.expect({"strain"});
+    compress_to(stage, xz, reader.quantity(dimension::number));
+    break;
+  case 6:
+    read_components(reader, stage);
+    break;
+  case 7:
+    stage.minimum_steps = reader.whole();
+    reader.expect({"steps", "step"});
+    break;
+  default:
+    throw InputError(fmt::format(
+        "stage {} '{}': 'csv FILE' must be the only stage", number, text));
+  }
+  reader.finish();
+  return probe;
+}
+} // namespace
+
+ProbePath parse_path(const std::string &stages,
+                     const ProbeIncrements &increments)
+{
+  ProbePath path;
+  const auto texts = split_stages(stages);
+  if (texts.empty())
+    throw InputError("there is no stage; expected for example 'uniaxial to "
+                     "strain 0.15; unload to 1 % of peak'");
+  if (texts.size() == 1 && texts[0].starts_with("csv ")) {
+    path.gradients = std::string(trimmed(texts[0].substr(4)));
+    return path;
+  }
+  for (const std::string &text : texts)
+    path.stages.push_back(read_stage(
+        text, static_cast<unsigned>(path.stages.size() + 1), increments));
+  return path;
+}
+
+std::vector<dealii::Tensor<2, 3>>
+read_gradients(const std::filesystem::path &file)
+{
+  std::ifstream in(file);
+  if (!std::filesystem::is_regular_file(file) || !in)
+    throw InputError(
+        fmt::format("the file '{}' with the deformation gradients is missing",
+                    file.string()));
+  std::vector<dealii::Tensor<2, 3>> gradients;
+  std::string line;
+  for (unsigned number = 1; std::getline(in, line); ++number) {
+    std::ranges::replace(line, ',', ' ');
+    const std::string_view text = trimmed(line);
+    const bool header =
+        gradients.empty() && text.find("F_") != std::string_view::npos;
+    if (text.empty() || text.front() == '#' || header)
+      continue;
+    dealii::Tensor<2, 3> F;
+    std::istringstream numbers(line);
+    for (unsigned i = 0; i < 9; ++i)
+      numbers >> F[i / 3][i % 3];
+    std::string more;
+    if (!numbers || numbers >> more || !(determinant(F) > 0))
+      throw InputError(fmt::format("{}:{}: '{}': expected nine numbers F_xx, "
+                                   "F_xy ... F_zz with det F > 0",
+                                   file.string(),
+                                   number,
+                                   text));
+    gradients.push_back(F);
+  }
+  if (gradients.empty())
+    throw InputError(file.string() + ": there is no deformation gradient");
+  return gradients;
+}
+} // namespace tamp::apps

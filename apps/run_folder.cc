@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <apps/build_facts.h>
+#include <apps/progress.h>
+#include <apps/run_folder.h>
+#include <apps/units.h>
+
+#include <ctime>
+#include <fmt/format.h>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+namespace tamp::apps
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+// What runs write; nothing else in a folder is ever removed.
+constexpr const char *own_names[] = {"run.json",
+                                     "input.prm",
+                                     "log.txt",
+                                     "curve.csv",
+                                     "fields.pvd",
+                                     "fields",
+                                     "grains.pvd",
+                                     "grains",
+                                     "plots",
+                                     "summary.txt",
+                                     "checkpoint"};
+
+double cpu_seconds()
+{
+  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
+double wall_seconds(const RunRecord &record)
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() -
+                                       record.start)
+      .count();
+}
+
+std::string with_unit(const std::string &name, double value)
+{
+  const auto ends = [&](const char *unit) { return name.ends_with(unit); };
+  if (ends("[Pa]"))
+    return fmt::format("{:.4g} MPa", value / 1e6);
+  if (ends("[N]"))
+    return fmt::format("{:.4g} N", value);
+  if (ends("[m]"))
+    return fmt::format("{:.4g} mm", value / 1e-3);
+  if (ends("[s]"))
+    return duration(value);
+  return fmt::format("{:.4g}", value);
+}
+} // namespace
+
+RunFolder::RunFolder(const fs::path &folder, bool force) : folder_(folder)
+{
+  std::error_code error;
+  const bool exists = fs::exists(folder, error);
+  if (exists && !fs::is_directory(folder, error))
+    throw OutputError(fmt::format(
+        "'{}' is a file; expected a folder for results", folder.string()));
+  if (exists && !force)
+    throw InputError(
+        fmt::format("the folder '{}' exists already; nothing was changed. Use "
+                    "--force to overwrite the results in it, or --output to "
+                    "write elsewhere",
+                    folder.string()));
+  if (exists)
+    for (const char *name : own_names)
+      fs::remove_all(folder / name, error);
+  else
+    fs::create_directories(folder, error);
+  if (error)
+    throw OutputError(fmt::format("the folder '{}' cannot be written: {}",
+                                  folder.string(),
+                                  error.message()));
+  write("log.txt", "");
+}
+
+fs::path RunFolder::subfolder(const std::string &name) const
+{
+  std::error_code error;
+  fs::create_directories(folder_ / name, error);
+  if (error)
+    throw OutputError(fmt::format("the folder '{}' cannot be written: {}",
+                                  (folder_ / name).string(),
+                                  error.message()));
+  return folder_ / name;
+}
+
+void RunFolder::write(const std::string &name, const std::string &text) const
+{
+  const fs::path temporary = folder_ / (name + ".part");
+  {
+    std::ofstream out(temporary, std::ios::binary);
+    out << text << std::flush;
+    if (!out)
+      throw OutputError(
+          fmt::format("'{}' cannot be written", (folder_ / name).string()));
+  }
+  std::error_code error;
+  fs::rename(temporary, folder_ / name, error);
+  if (error)
+    throw OutputError(fmt::format("'{}' cannot be written: {}",
+                                  (folder_ / name).string(),
+                                  error.message()));
+}
+
+std::string text_hash(const std::string &text)
+{
+  std::uint64_t hash = 14695981039346656037u;
+  for (const char letter : text)
+    hash = (hash ^ static_cast<unsigned char>(letter)) * 1099511628211u;
+  return fmt::format("{:016x}", hash);
+}
+
+std::string RunRecord::json() const
+{
+  const BuildFacts facts = build_facts();
+  nlohmann::ordered_json tree;
+  tree["program"] = "tamp";
+  tree["version"] = facts.version;
+  tree["build_type"] = facts.build_type;
+  for (const auto &[name, version] : facts.libraries)
+    tree["libraries"][name] = version;
+  tree["command"] = command;
+  tree["input"] = input.filename().string();
+  tree["input_hash"] = text_hash(input_echo);
+  tree["seeds"] = {seed};
+  tree["ranks"] = 1;
+  tree["threads"] = threads;
+  tree["wall_time[s]"] = wall_seconds(*this);
+  tree["cpu_time[s]"] = cpu_seconds();
+  tree["status"] = status;
+  if (!message.empty())
+    tree["message"] = message;
+  tree["results"] = nlohmann::ordered_json::object();
+  for (const auto &[name, value] : results)
+    tree["results"][name] = value;
+  return tree.dump(2) + "\n";
+}
+
+std::string RunRecord::summary() const
+{
+  std::string text =
+      fmt::format("tamp {} {}\n\n", command, input.filename().string());
+  const auto row = [&](const std::string &name, const std::string &value) {
+    text += fmt::format("  {:<42} {}\n", name, value);
+  };
+  row("status", status);
+  if (!message.empty())
+    row("because", message);
+  for (const auto &[name, value] : results) {
+    std::string words = name.substr(0, name.find('['));
+    for (char &letter : words)
+      if (letter == '_')
+        letter = ' ';
+    row(words, with_unit(name, value));
+  }
+  row("wall time", duration(wall_seconds(*this)));
+  row("CPU time", duration(cpu_seconds()));
+  row("threads", fmt::format("{}", threads));
+  row("version", build_facts().version);
+  return text;
+}
+} // namespace tamp::apps

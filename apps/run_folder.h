@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef apps_run_folder_h
+#define apps_run_folder_h
+
+#include <apps/curve_writer.h>
+
+#include <chrono>
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace tamp::apps
+{
+/// The folder that a run writes to.
+class RunFolder
+{
+public:
+  /// Makes the folder. Throws InputError if it exists and `force` is off;
+  /// with `force`, results of an earlier run in it are removed, other files
+  /// stay. Throws OutputError if it cannot be made or written.
+  RunFolder(const std::filesystem::path &folder, bool force);
+
+  const std::filesystem::path &path() const { return folder_; }
+  /// Makes a folder in it. Throws OutputError.
+  std::filesystem::path subfolder(const std::string &name) const;
+  /// Replaces a file by `text`, as a whole. Throws OutputError.
+  void write(const std::string &name, const std::string &text) const;
+
+private:
+  std::filesystem::path folder_;
+};
+
+/// What stays of a run in run.json and summary.txt.
+struct RunRecord {
+  std::string command;
+  std::filesystem::path input;
+  std::string input_echo; ///< in SI; its hash is kept
+  std::uint64_t seed = 0;
+  unsigned threads = 1;
+  std::chrono::steady_clock::time_point start =
+      std::chrono::steady_clock::now();
+  std::string status = "running"; ///< running, done, not converged, ...
+  std::string message;            ///< why it ended, if not done
+  /// Key results with their units, in the order of the summary.
+  std::vector<std::pair<std::string, double>> results;
+
+  /// For run.json.
+  std::string json() const;
+  /// For summary.txt: results in words that a user reads.
+  std::string summary() const;
+};
+
+/// FNV-1a, 64 bits, as sixteen hexadecimal digits.
+std::string text_hash(const std::string &text);
+} // namespace tamp::apps
+
+#endif

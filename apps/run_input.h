@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef apps_run_input_h
+#define apps_run_input_h
+
+#include <apps/probe_path.h>
+#include <coupling/material_factory.h>
+#include <fem/die_settings.h>
+
+#include <string>
+#include <vector>
+
+namespace tamp::apps
+{
+class ParameterTable;
+
+enum class GrainOutput { none, chosen_points, all };
+
+/// What is written, and how often.
+struct OutputSettings {
+  unsigned field_interval = 5; ///< steps between fields on disk
+  unsigned grain_interval = 5; ///< steps between grains on disk
+  GrainOutput grain_output = GrainOutput::chosen_points;
+  std::vector<std::size_t> grain_points;
+  std::vector<std::string> plot_formats; ///< "svg", "png", "pdf"
+};
+
+/// All that an input file says, in SI.
+struct RunInput {
+  coupling::MaterialChoice material;
+  ProbePath path;
+  double stress_tolerance = 1e-3; ///< of the probe's stress control [-]
+  fem::DieSettings die;
+  OutputSettings output;
+};
+
+/// Declares every parameter of the program.
+void declare_parameters(ParameterTable &table);
+
+/// Which part of the input a command needs: the other part may be left as it
+/// is, even if it does not fit the material.
+enum class Need { everything, probe, die };
+
+/// Turns values into settings. Throws InputError where values do not fit
+/// together, or where a file that they name is missing.
+RunInput read_input(const ParameterTable &table, Need need);
+} // namespace tamp::apps
+
+#endif

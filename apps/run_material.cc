@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <apps/run_material.h>
+
+#include <fmt/format.h>
+#include <stdexcept>
+
+namespace tamp::apps
+{
+coupling::Material prepare_material(RunSession &session, std::size_t count)
+{
+  const coupling::MaterialChoice &choice = session.input().material;
+  RunLog &log = session.log();
+  const bool cells = choice.kind == coupling::MaterialKind::unit_cell;
+  if (cells)
+    log.begin(fmt::format("packing {} x {} grains to {:.4g} MPa",
+                          choice.same_packing ? 1 : count,
+                          choice.packing.grain_count,
+                          choice.packing.pressure / 1e6));
+  try {
+    auto material =
+        coupling::make_material(choice, count, [&](std::size_t made) {
+          log.step(static_cast<double>(made) / static_cast<double>(count),
+                   static_cast<double>(made),
+                   "packings",
+                   "");
+        });
+    log.end();
+    if (cells)
+      log.detail(fmt::format("packed in {:.3g} s", log.progress().elapsed()));
+    return material;
+  } catch (const std::invalid_argument &) {
+    throw;
+  } catch (const std::runtime_error &error) {
+    throw PackingError(error.what());
+  }
+}
+} // namespace tamp::apps

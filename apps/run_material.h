@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef apps_run_material_h
+#define apps_run_material_h
+
+#include <apps/run_session.h>
+#include <coupling/material_factory.h>
+
+namespace tamp::apps
+{
+/// A packing that does not jam: the program ends with exit code 3.
+class PackingError : public std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+/// Makes the material points of a run, and shows how far packing is. Throws
+/// PackingError if grains do not jam.
+coupling::Material prepare_material(RunSession &session, std::size_t count);
+} // namespace tamp::apps
+
+#endif

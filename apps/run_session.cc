@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <apps/build_facts.h>
+#include <apps/parameter_table.h>
+#include <apps/run_session.h>
+
+#include <algorithm>
+#include <csignal>
+#include <fmt/format.h>
+#include <sched.h>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+
+namespace tamp::apps
+{
+namespace
+{
+unsigned checked_threads(int wanted)
+{
+  if (wanted == -1)
+    return available_cores();
+  if (wanted < 1)
+    throw InputError(fmt::format(
+        "--threads {}: expected a whole number of at least 1", wanted));
+  return static_cast<unsigned>(wanted);
+}
+
+std::string status_of(ExitCode code)
+{
+  switch (code) {
+  case exit_done:
+    return "done";
+  case exit_not_converged:
+    return "not converged";
+  case exit_check_failed:
+    return "check failed";
+  case exit_input:
+  case exit_output:
+    return "failed";
+  default:
+    return "interrupted";
+  }
+}
+} // namespace
+
+unsigned available_cores()
+{
+  cpu_set_t set;
+  if (sched_getaffinity(0, sizeof set, &set) == 0)
+    return static_cast<unsigned>(std::max(1, CPU_COUNT(&set)));
+  return std::max(1u, std::thread::hardware_concurrency());
+}
+
+RunSession::RunSession(const std::string &command,
+                       const RunOptions &options,
+                       Need need)
+    : plots_(options.plots)
+{
+  ParameterTable table;
+  declare_parameters(table);
+  table.read(options.input);
+  for (const std::string &setting : options.settings)
+    table.set(setting);
+  input_ = read_input(table, need);
+  record_.command = command;
+  record_.input = options.input;
+  record_.seed = input_.material.packing.seed;
+  record_.threads = checked_threads(options.threads);
+  input_.material.threads = record_.threads;
+  std::ostringstream echo;
+  table.echo(echo);
+  record_.input_echo = echo.str();
+
+  const auto path = options.output.empty() ? "results" / options.input.stem()
+                                           : options.output;
+  folder_ = std::make_unique<RunFolder>(path, options.force);
+  folder_->write("input.prm",
+                 fmt::format("# All parameters of this run in SI, tamp {}.\n{}",
+                             build_facts().version,
+                             record_.input_echo));
+  folder_->write("run.json", record_.json());
+  log_ = std::make_unique<RunLog>(path / "log.txt", options.verbosity);
+  log_->detail(fmt::format("tamp {} {} {}, input {}, {} threads",
+                           build_facts().version,
+                           command,
+                           options.input.filename().string(),
+                           text_hash(record_.input_echo),
+                           record_.threads));
+}
+
+void RunSession::result(const std::string &name, double value)
+{
+  record_.results.emplace_back(name, value);
+}
+
+int RunSession::run(const std::function<RunEnd()> &work)
+{
+  const auto attempt = [&]() -> RunEnd {
+    try {
+      return work();
+    } catch (const InputError &error) {
+      return {exit_input, error.what()};
+    } catch (const std::invalid_argument &error) {
+      return {exit_input, error.what()};
+    } catch (const std::exception &error) {
+      return {exit_output, error.what()};
+    }
+  };
+  return finish(attempt());
+}
+
+int RunSession::finish(const RunEnd &end)
+{
+  log_->end();
+  record_.status = status_of(end.code);
+  record_.message = end.message;
+  folder_->write("run.json", record_.json());
+  folder_->write("summary.txt", record_.summary());
+  if (end.code == exit_done) {
+    log_->say(record_.summary());
+    log_->say(fmt::format("Results are in {}", folder_->path().string()));
+  } else
+    log_->detail(fmt::format("{}: {}; results so far are in {}",
+                             record_.status,
+                             end.message,
+                             folder_->path().string()));
+  if (end.code != exit_done)
+    fmt::print(stderr,
+               "tamp: {}: {}. The results so far are in {}\n",
+               record_.status,
+               end.message,
+               folder_->path().string());
+  return end.code;
+}
+
+RunEnd RunSession::interrupted(int signal)
+{
+  return {static_cast<ExitCode>(exit_signal + signal),
+          signal == SIGINT ? "SIGINT was received" : "SIGTERM was received"};
+}
+} // namespace tamp::apps

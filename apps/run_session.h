@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef apps_run_session_h
+#define apps_run_session_h
+
+#include <apps/progress.h>
+#include <apps/run_folder.h>
+#include <apps/run_input.h>
+#include <apps/run_log.h>
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace tamp::apps
+{
+/// What the program returns to the shell.
+enum ExitCode {
+  exit_done = 0,
+  exit_input = 2,
+  exit_not_converged = 3,
+  exit_output = 4,
+  exit_check_failed = 5,
+  exit_signal = 128
+};
+
+/// What a user says on the command line of a run.
+struct RunOptions {
+  std::filesystem::path input;
+  std::filesystem::path output; ///< empty: results/<name of the input>
+  std::vector<std::string> settings;
+  int threads = -1; ///< -1: all cores this process may use
+  bool force = false;
+  bool plots = true;
+  Verbosity verbosity = Verbosity::normal;
+};
+
+/// How a run ended.
+struct RunEnd {
+  ExitCode code = exit_done;
+  std::string message; ///< empty if all went well
+};
+
+/// A run from its input to its folder: reads and echoes the input, keeps log
+/// and record, and ends in one place.
+class RunSession
+{
+public:
+  /// Throws InputError or OutputError; nothing is written if the input is
+  /// wrong.
+  RunSession(const std::string &command, const RunOptions &options, Need need);
+
+  const RunInput &input() const { return input_; }
+  const RunFolder &folder() const { return *folder_; }
+  RunLog &log() { return *log_; }
+  unsigned threads() const { return record_.threads; }
+  bool plots() const { return plots_; }
+  /// Adds a key result, "name[unit]".
+  void result(const std::string &name, double value);
+
+  /// Does the work of the run, then writes run.json and summary.txt, says how
+  /// it ended, and gives the program's exit code. Exceptions of the work end
+  /// the run like any other end: InputError and std::invalid_argument with 2,
+  /// all others with 4.
+  int run(const std::function<RunEnd()> &work);
+  /// The end after a signal that was caught.
+  static RunEnd interrupted(int signal);
+
+private:
+  int finish(const RunEnd &end);
+
+  RunInput input_;
+  RunRecord record_;
+  std::unique_ptr<RunFolder> folder_;
+  std::unique_ptr<RunLog> log_;
+  bool plots_;
+};
+
+/// Number of cores this process may use.
+unsigned available_cores();
+} // namespace tamp::apps
+
+#endif

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef apps_series_writer_h
+#define apps_series_writer_h
+
+#include <apps/run_folder.h>
+
+#include <string>
+
+namespace tamp::apps
+{
+/// A .pvd file, with which ParaView opens the files of many steps as one
+/// series.
+class SeriesWriter
+{
+public:
+  /// @param name  of the file in the run's folder, "fields.pvd"
+  SeriesWriter(const RunFolder &folder, std::string name);
+
+  /// Adds a file, its path from the run's folder, and writes the series anew.
+  /// Files of one step are told apart by `part`. Throws OutputError.
+  void add(double step, std::size_t part, const std::string &file);
+
+private:
+  const RunFolder &folder_;
+  std::string name_, entries_;
+};
+} // namespace tamp::apps
+
+#endif

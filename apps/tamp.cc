@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <apps/build_facts.h>
+#include <apps/commands.h>
+#include <apps/units.h>
+
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <fmt/format.h>
+#include <string>
+
+namespace
+{
+using namespace tamp::apps;
+
+// One message for every way to go wrong, and its exit code.
+int fail(ExitCode code, const std::string &message)
+{
+  fmt::print(stderr, "tamp: {}\n", message);
+  return code;
+}
+
+void add_run_options(CLI::App &command, RunOptions &options)
+{
+  command.add_option("FILE", options.input, "Input, .prm or .json")->required();
+  command.add_option("-o,--output",
+                     options.output,
+                     "Folder for results; default results/<name of the input>");
+  command
+      .add_option("--set",
+                  options.settings,
+                  "\"Section/Name = value\", beats the file; may be repeated")
+      ->expected(1)
+      ->take_all();
+  command.add_flag(
+      "--force", options.force, "Overwrite the results in an existing folder");
+  command.add_option("--threads",
+                     options.threads,
+                     "Threads; default: all cores this process may use");
+  command.add_flag_callback(
+      "-q,--quiet",
+      [&options] { options.verbosity = Verbosity::quiet; },
+      "Say nothing but errors");
+  command.add_flag_callback(
+      "-v,--verbose",
+      [&options] { options.verbosity = Verbosity::verbose; },
+      "Say everything, without a bar");
+  command.add_flag_callback(
+      "--no-plots", [&options] { options.plots = false; }, "Draw no plots");
+}
+
+struct OtherOptions {
+  std::string format = "prm";
+  std::filesystem::path check;
+  std::string example;
+  std::filesystem::path folder = ".";
+};
+
+int run(int argc, char **argv)
+{
+  CLI::App app("Powder die compaction: finite elements whose material points "
+               "are cells of grains, or a continuum law.\nExit codes: 0 done, "
+               "2 usage or input, 3 did not converge, 4 input/output, 5 a "
+               "check failed, 128+signal.",
+               "tamp");
+  app.set_version_flag("--version", "tamp " + build_facts().version);
+  app.require_subcommand(1);
+  RunOptions options;
+  OtherOptions other;
+  int code = exit_done;
+
+  CLI::App *die = app.add_subcommand("die", "Press a powder in a die");
+  add_run_options(*die, options);
+  die->callback([&] { code = run_die(options); });
+
+  CLI::App *probe =
+      app.add_subcommand("probe", "Take one material point along a path");
+  add_run_options(*probe, options);
+  probe->callback([&] { code = run_probe(options); });
+
+  CLI::App *params = app.add_subcommand(
+      "params", "Print all parameters with default, unit and meaning");
+  params->add_option("--format", other.format, "prm, json or md")
+      ->check(CLI::IsMember({"prm", "json", "md"}));
+  params->add_option(
+      "--check", other.check, "Read this input instead, without running it");
+  params->callback([&] {
+    code = other.check.empty() ? print_parameters(other.format)
+                               : check_parameters(other.check);
+  });
+
+  CLI::App *examples = app.add_subcommand("examples", "Inputs to start from");
+  examples->require_subcommand(1);
+  examples->add_subcommand("list", "Names and titles")->callback([&] {
+    code = list_examples();
+  });
+  CLI::App *copy = examples->add_subcommand("copy", "Copy an example");
+  copy->add_option("NAME", other.example, "Which")->required();
+  copy->add_option("DIR", other.folder, "Where to; default: here");
+  copy->callback([&] { code = copy_example(other.example, other.folder); });
+
+  app.add_subcommand("cite", "Print BibTeX entries")->callback([&] {
+    code = print_citations();
+  });
+
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError &error) {
+    if (error.get_exit_code() == 0)
+      return app.exit(error);
+    return fail(exit_input,
+                fmt::format("{}; 'tamp --help' and 'tamp COMMAND --help' say "
+                            "more",
+                            error.what()));
+  }
+  return code;
+}
+} // namespace
+
+int main(int argc, char **argv)
+{
+  try {
+    return run(argc, argv);
+  } catch (const InputError &error) {
+    return fail(exit_input, error.what());
+  } catch (const std::invalid_argument &error) {
+    return fail(exit_input, error.what());
+  } catch (const OutputError &error) {
+    return fail(exit_output, error.what());
+  } catch (const std::exception &error) {
+    return fail(exit_output, error.what());
+  }
+}

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <coupling/material_factory.h>
+#include <coupling/packing_library.h>
+#include <coupling/unit_cell_points.h>
+#include <fem/laws/continuum_points.h>
+#include <fem/laws/drucker_prager_cap.h>
+#include <fem/laws/elastic.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace tamp::coupling
+{
+namespace
+{
+using fem::DensityTable;
+
+DensityTable table(const std::vector<double> &nodes,
+                   const std::vector<double> &values,
+                   const std::string &name)
+{
+  if (nodes.size() == 1 && values.size() == 1)
+    return DensityTable(values[0]);
+  return DensityTable({nodes, values}, name);
+}
+
+fem::PorousElasticity elasticity(const ElasticTable &choice)
+{
+  return {
+      table(choice.relative_density, choice.youngs_modulus, "Young's modulus"),
+      table(choice.relative_density, choice.poissons_ratio, "Poisson's ratio")};
+}
+
+// The law reads p_b over the plastic volumetric strain since the first density
+// of the table; above the table the last line goes on.
+DensityTable hardening(const CapChoice &choice)
+{
+  if (choice.hardening_density.empty())
+    throw std::invalid_argument("the hardening table is empty");
+  std::vector<double> strains;
+  for (const double density : choice.hardening_density)
+    strains.push_back(std::log(density / choice.hardening_density.front()));
+  return DensityTable({strains, choice.hydrostatic_yield},
+                      "hydrostatic yield pressure",
+                      DensityTable::Shape::increasing,
+                      DensityTable::Above::extend);
+}
+
+Material make_elastic(const ElasticChoice &choice, std::size_t count)
+{
+  fem::ElasticParameters parameters;
+  parameters.elasticity = elasticity(choice.elasticity);
+  parameters.initial_relative_density = choice.initial_relative_density;
+  return {std::make_unique<fem::ContinuumPoints<fem::Elastic>>(
+              fem::Elastic(parameters), count),
+          nullptr};
+}
+
+Material make_cap(const CapChoice &choice, std::size_t count)
+{
+  fem::DruckerPragerCapParameters parameters;
+  parameters.elasticity = elasticity(choice.elasticity);
+  parameters.cohesion =
+      table(choice.relative_density, choice.cohesion, "cohesion");
+  parameters.friction_angle =
+      table(choice.relative_density, choice.friction_angle, "friction angle");
+  parameters.eccentricity = table(
+      choice.relative_density, choice.cap_eccentricity, "cap eccentricity");
+  parameters.hardening = hardening(choice);
+  parameters.reference_density = choice.hardening_density.front();
+  parameters.initial_relative_density = choice.initial_relative_density;
+  return {std::make_unique<fem::ContinuumPoints<fem::DruckerPragerCap>>(
+              fem::DruckerPragerCap(parameters), count),
+          nullptr};
+}
+
+Material make_cells(const MaterialChoice &choice,
+                    std::size_t count,
+                    const std::function<void(std::size_t)> &progress)
+{
+  choice.packing.check();
+  choice.driving.check();
+  CellPointsOptions options;
+  options.driving = choice.driving;
+  options.threads = choice.threads;
+  options.warm = choice.warm;
+  auto points = std::make_unique<UnitCellPoints>(
+      make_packings(
+          choice.packing, count, choice.same_packing, choice.threads, progress),
+      options);
+  Material material;
+  material.cells = points.get();
+  material.points = std::move(points);
+  return material;
+}
+} // namespace
+
+Material make_material(const MaterialChoice &choice,
+                       std::size_t count,
+                       const std::function<void(std::size_t)> &progress)
+{
+  switch (choice.kind) {
+  case MaterialKind::unit_cell:
+    return make_cells(choice, count, progress);
+  case MaterialKind::elastic:
+    return make_elastic(choice.elastic, count);
+  case MaterialKind::drucker_prager_cap:
+    return make_cap(choice.cap, count);
+  }
+  throw std::invalid_argument("unknown kind of material");
+}
+} // namespace tamp::coupling

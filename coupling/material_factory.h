@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef coupling_material_factory_h
+#define coupling_material_factory_h
+
+#include <dem/deform.h>
+#include <dem/packing.h>
+#include <fem/material_points.h>
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace tamp::coupling
+{
+class UnitCellPoints;
+
+enum class MaterialKind { unit_cell, elastic, drucker_prager_cap };
+
+/// Elasticity of a compact over its relative density; between the nodes
+/// linear, outside as at the nearest node. One node: constant.
+struct ElasticTable {
+  std::vector<double> relative_density; ///< increasing [-]
+  std::vector<double> youngs_modulus;   ///< [Pa]
+  std::vector<double> poissons_ratio;   ///< [-]
+};
+
+struct ElasticChoice {
+  double initial_relative_density = 0.6; ///< [-]
+  ElasticTable elasticity;
+};
+
+/// A Drucker-Prager cap over relative density.
+struct CapChoice {
+  double initial_relative_density = 0.34; ///< [-]
+  ElasticTable elasticity;
+  std::vector<double> relative_density;  ///< of the three tables below [-]
+  std::vector<double> cohesion;          ///< d [Pa]
+  std::vector<double> friction_angle;    ///< beta in the p-q plane [rad]
+  std::vector<double> cap_eccentricity;  ///< R [-]
+  std::vector<double> hardening_density; ///< increasing [-]
+  std::vector<double> hydrostatic_yield; ///< p_b [Pa]
+};
+
+/// Which material the points are made of, and all that it needs. The fields of
+/// the other materials are not used.
+struct MaterialChoice {
+  MaterialKind kind = MaterialKind::unit_cell;
+  dem::PackingRequest packing; ///< its seed is that of the run
+  bool same_packing = false;   ///< all points start from the packing of point 0
+  dem::Driving driving;
+  bool warm = true; ///< see CellPointsOptions
+  unsigned threads = 1;
+  ElasticChoice elastic;
+  CapChoice cap;
+};
+
+/// The points of a die or of a probe. `cells` is the same object as `points`
+/// if these are unit cells, otherwise null.
+struct Material {
+  std::unique_ptr<fem::MaterialPoints> points;
+  UnitCellPoints *cells = nullptr;
+};
+
+/// Makes `count` points; the only place where all materials are known.
+/// `progress` is told how many packings are ready (from one thread at a time).
+/// Throws std::invalid_argument if a value is not physical and
+/// std::runtime_error if a packing does not jam.
+Material make_material(const MaterialChoice &choice,
+                       std::size_t count,
+                       const std::function<void(std::size_t)> &progress = {});
+} // namespace tamp::coupling
+
+#endif

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fem/laws/density_table.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+namespace tamp::fem
+{
+namespace
+{
+[[noreturn]] void
+refuse(const std::string &name, const std::size_t row, const std::string &why)
+{
+  std::ostringstream text;
+  text << "table '" << name << "', row " << row + 1 << ": " << why;
+  throw std::invalid_argument(text.str());
+}
+
+void check(const TableRows &rows,
+           const std::string &name,
+           const DensityTable::Shape shape)
+{
+  const auto &[x, y] = rows;
+  if (x.size() != y.size() || x.size() < 2) {
+    std::ostringstream text;
+    text << "table '" << name << "' has " << x.size() << " places and "
+         << y.size() << " values; expected as many of both, at least 2";
+    throw std::invalid_argument(text.str());
+  }
+  for (std::size_t row = 0; row < x.size(); ++row) {
+    if (!std::isfinite(x[row]) || !std::isfinite(y[row]))
+      refuse(name, row, "expected finite numbers");
+    if (row == 0)
+      continue;
+    if (!(x[row] > x[row - 1]))
+      refuse(name, row, "expected a place above that of the row before");
+    if (shape == DensityTable::Shape::increasing && y[row] < y[row - 1])
+      refuse(name, row, "expected a value not below that of the row before");
+  }
+}
+} // namespace
+
+DensityTable::DensityTable(const double constant) : rows_{{0}, {constant}}
+{
+  if (!std::isfinite(constant))
+    throw std::invalid_argument("a constant property has to be finite");
+}
+
+DensityTable::DensityTable(TableRows rows,
+                           const std::string &name,
+                           const Shape shape,
+                           const Above above)
+    : rows_(std::move(rows)), above_(above)
+{
+  check(rows_, name, shape);
+}
+
+DensityTable::Reading DensityTable::read(const double x) const
+{
+  constexpr double edge = 1e-9; // rounding of exp(log(density))
+  const auto &[place, value] = rows_;
+  if (place.size() == 1)
+    return {value.front(), 0, false};
+  if (x < place.front())
+    return {value.front(), 0, x < place.front() - edge};
+  if (x >= place.back() && above_ == Above::hold)
+    return {value.back(), 0, x > place.back() + edge};
+
+  const auto above = std::upper_bound(place.begin(), place.end() - 1, x);
+  const auto i = static_cast<std::size_t>(above - place.begin());
+  const double slope = (value[i] - value[i - 1]) / (place[i] - place[i - 1]);
+  return {value[i - 1] + slope * (x - place[i - 1]),
+          slope,
+          x > place.back() + edge};
+}
+
+double DensityTable::smallest() const
+{
+  return *std::min_element(rows_.y.begin(), rows_.y.end());
+}
+
+double DensityTable::largest() const
+{
+  return *std::max_element(rows_.y.begin(), rows_.y.end());
+}
+} // namespace tamp::fem

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef fem_laws_density_table_h
+#define fem_laws_density_table_h
+
+#include <string>
+#include <vector>
+
+namespace tamp::fem
+{
+/// The rows of a table as they stand in a file.
+struct TableRows {
+  std::vector<double> x; ///< relative density or plastic volumetric strain [-]
+  std::vector<double> y; ///< the tabulated property, in its SI unit
+};
+
+/// A property that depends on relative density or on plastic volumetric strain,
+/// given by rows that are joined by straight lines. Between two rows the
+/// value stays between theirs, so a monotone table gives a monotone property.
+/// A table may also be one constant, which holds everywhere.
+class DensityTable
+{
+public:
+  /// What the rows have to be.
+  enum class Shape { any, increasing };
+  /// What holds above the last row. Below the first row its value holds.
+  enum class Above { hold, extend };
+
+  /// What a table says at a place.
+  struct Reading {
+    double value = 0;     ///< [unit of y]
+    double slope = 0;     ///< d value / d x; zero where a value is held
+    bool outside = false; ///< beyond the rows: the value is a guess
+  };
+
+  /// A constant. It is never outside.
+  DensityTable(double constant);
+
+  /// Throws std::invalid_argument naming the table, the row and what was
+  /// expected unless there are at least two rows of finite numbers, x
+  /// increases strictly, and y increases weakly where `shape` asks for it.
+  /// @param name   appears in messages, "cohesion" for example.
+  /// @param above  extend: the last line goes on; hold: the last value holds.
+  DensityTable(TableRows rows,
+               const std::string &name,
+               Shape shape = Shape::any,
+               Above above = Above::hold);
+
+  /// The value at x. A place within 1e-9 beyond a row counts as inside.
+  Reading read(double x) const;
+
+  double smallest() const; ///< over the rows [unit of y]
+  double largest() const;  ///< over the rows [unit of y]
+
+private:
+  TableRows rows_;
+  Above above_ = Above::hold;
+};
+} // namespace tamp::fem
+
+#endif

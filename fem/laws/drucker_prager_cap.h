@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef fem_laws_drucker_prager_cap_h
+#define fem_laws_drucker_prager_cap_h
+
+#include <fem/laws/cap_surface.h>
+#include <fem/laws/density_table.h>
+#include <fem/laws/elastic.h>
+#include <fem/laws/mcc_ph102.h>
+#include <fem/material_points.h>
+
+#include <cstdint>
+#include <string_view>
+
+namespace tamp::fem
+{
+/// Constants of the density-dependent Drucker-Prager cap model. The defaults
+/// are microcrystalline cellulose Avicel PH-102, see mcc_ph102.h.
+///
+/// All tables are read at the *plastic* density D_pl = D_ref exp(eps), the
+/// density that would remain after elastic unloading; eps is the plastic
+/// volumetric strain, positive in compaction, and D_ref the density at which
+/// the hardening table has its zero. A sample that starts at D_0 starts with
+/// eps = ln(D_0 / D_ref) and so with the p_b that the table gives for D_0: the
+/// start density and the table cannot disagree.
+struct DruckerPragerCapParameters {
+  PorousElasticity elasticity{mcc_ph102::youngs_modulus(),
+                              mcc_ph102::poissons_ratio()};
+  DensityTable cohesion = mcc_ph102::cohesion();             ///< d [Pa]
+  DensityTable friction_angle = mcc_ph102::friction_angle(); ///< beta [rad]
+  DensityTable eccentricity = mcc_ph102::eccentricity();     ///< R_c [-]
+  /// p_b [Pa] over eps [-], not decreasing.
+  DensityTable hardening = mcc_ph102::hardening();
+  double reference_density = mcc_ph102::reference_density;      ///< D_ref [-]
+  double initial_relative_density = mcc_ph102::initial_density; ///< D_0 [-]
+  double transition = 0; ///< alpha [-], 0 to 0.1
+  /// Larger strain increments are integrated in equal parts of at most this
+  /// norm [-].
+  double maximum_strain_increment = 2e-3;
+
+  /// Throws std::invalid_argument naming the first value that is not possible.
+  void check() const;
+};
+
+/// Modified Drucker-Prager cap plasticity for powders, with every constant a
+/// function of density (Drucker, Gibson and Henkel 1957; Abaqus manual;
+/// Cunningham et al. 2004, Sinka et al. 2003, Han et al. 2008 for the
+/// dependence on density). See CapSurface for surfaces and flow. Plastic
+/// compaction hardens, plastic dilation softens, along the same tables.
+///
+/// Integration, in the frame that does not turn (dF = R U, strain ln U):
+/// elastic moduli are those at the start of each part of an increment,
+/// everything else is implicit (backward Euler): p_b, d, beta and R_c are those
+/// at the end, and the stress lies on the surface they make. The return reduces
+/// to one equation in the plastic compaction, whose root is bracketed on each
+/// branch and so is always found; Newton steps polish it. A part that does not
+/// meet its tolerance is halved, up to 2^8 times; then the answer is `failed`
+/// and the state is as before. First order in the increment, exact on isotropic
+/// paths. The tangent is the derivative of this algorithm (automatic
+/// differentiation with the implicit function theorem), so Newton's method
+/// converges quadratically; it is not symmetric on the shear surface.
+///
+/// `doubtful` says that a table was read outside its rows.
+class DruckerPragerCap
+{
+public:
+  static constexpr std::string_view name = "Drucker-Prager cap";
+
+  /// Where the last part of an increment ended.
+  enum class Surface : std::uint32_t { none, shear, transition, cap, apex };
+
+  struct State {
+    dealii::SymmetricTensor<2, 3> stress; ///< Cauchy, tension positive [Pa]
+    double relative_density = 0;          ///< [-]
+    double plastic_compaction = 0;        ///< eps, zero at D_ref [-]
+    double plastic_shear = 0; ///< sum of sqrt(2/3 de:de), de deviatoric [-]
+    Surface surface = Surface::none;
+    std::uint32_t outside_tables = 0; ///< 1 if a table was left
+  };
+
+  /// Throws what DruckerPragerCapParameters::check() throws.
+  explicit DruckerPragerCap(const DruckerPragerCapParameters &parameters = {});
+
+  /// Free of stress, at the initial density.
+  State initial_state() const;
+  Response respond(const State &old,
+                   State &now,
+                   const Deformation &deformation,
+                   Want want) const;
+
+  /// The surface of a point with this plastic volumetric strain.
+  CapSurface<double> surface(double plastic_compaction) const;
+
+  /// How far a state is outside its surface, over p_b - p_a + A: negative
+  /// inside [-].
+  double yield(const State &state) const;
+
+  const DruckerPragerCapParameters &parameters() const { return parameters_; }
+
+private:
+  DruckerPragerCapParameters parameters_;
+};
+
+/// p = -tr(sigma) / 3, compression positive [Pa].
+double pressure(const dealii::SymmetricTensor<2, 3> &stress);
+/// q = sqrt(3/2 s : s) [Pa].
+double deviatoric_stress(const dealii::SymmetricTensor<2, 3> &stress);
+} // namespace tamp::fem
+
+#endif

@@ -1,0 +1,135 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Checks of style. Usage: style.sh rooms|licence|guards|format|ceilings ROOT
+# Prints file:line and what is wrong; exit 1 if anything is.
+set -euo pipefail
+export LC_ALL=C
+
+check=$1
+root=$2
+cd "$root"
+
+# All C++ sources, or those below the folders named.
+sources() {
+  find "$@" -type f \( -name '*.h' -o -name '*.cc' \) | sort
+}
+rooms=(dem fem coupling apps)
+
+# What a file of a room may include, as an extended regular expression. The
+# standard library is what has no slash and no ending.
+standard='[a-z0-9_]+'
+deal='deal\.II/[^>]*|petsc[^>]*|Teuchos[^>]*|Epetra[^>]*|Amesos[^>]*|mpi\.h'
+allowed_in() {
+  case $1 in
+    dem/kernel/*) echo "$standard|Eigen/[^>]*|dem/[^>]*|hwy/[^>]*" ;;
+    dem/*) echo "$standard|Eigen/[^>]*|dem/[^>]*" ;;
+    fem/*) echo "$standard|fem/[^>]*|$deal" ;;
+    coupling/*)
+      echo "$standard|Eigen/[^>]*|(dem|fem|coupling)/[^>]*|$deal|vtk[^>]*" ;;
+    *) echo '[^>]*' ;;
+  esac
+}
+
+check_rooms() {
+  local file found=0 wrong
+  while read -r file; do
+    wrong=$(awk -v allowed="^($(allowed_in "$file"))\$" -v file="$file" '
+      /^[ \t]*#[ \t]*include/ {
+        if (match($0, /"[^"]*"/)) {
+          printf "%s:%d: include by full path in <>: %s\n", file, NR, $0
+          next
+        }
+        match($0, /<[^>]*>/)
+        name = substr($0, RSTART + 1, RLENGTH - 2)
+        if (name !~ allowed)
+          printf "%s:%d: this room may not include <%s>\n", file, NR, name
+      }' "$file")
+    if [ -n "$wrong" ]; then
+      echo "$wrong"
+      found=1
+    fi
+  done < <(sources "${rooms[@]}")
+  return $found
+}
+
+check_licence() {
+  local found=0 file
+  while read -r file; do
+    if ! head -n 3 "$file" | grep -q 'SPDX-License-Identifier: BSD-3-Clause'
+    then
+      echo "$file:1: the line 'SPDX-License-Identifier: BSD-3-Clause' is missing"
+      found=1
+    fi
+  done < <(
+    sources "${rooms[@]}" tests
+    find "${rooms[@]}" tests . -maxdepth 3 -type f \
+      \( -name CMakeLists.txt -o -name '*.sh' -o -name '*.cmake' \) \
+      ! -path './build*' ! -path './results/*' | sort -u
+  )
+  return $found
+}
+
+check_guards() {
+  local found=0 file guard
+  while read -r file; do
+    guard=$(sed 's|[/.]|_|g' <<< "$file")
+    if ! grep -q "^#ifndef $guard\$" "$file" ||
+      ! grep -q "^#define $guard\$" "$file"; then
+      echo "$file:2: the header guard should be $guard"
+      found=1
+    fi
+  done < <(sources "${rooms[@]}" tests | grep '\.h$')
+  return $found
+}
+
+# A missing clang-format 14 is a skipped test (77), not a passed one.
+check_format() {
+  local program=''
+  for name in clang-format-14 clang-format; do
+    if command -v "$name" > /dev/null &&
+      "$name" --version | grep -q 'version 14\.'; then
+      program=$name
+      break
+    fi
+  done
+  if [ -z "$program" ]; then
+    echo "SKIPPED: clang-format 14 is not installed; the format is unchecked"
+    return 77
+  fi
+  sources "${rooms[@]}" tests |
+    xargs "$program" --style=file --dry-run -Werror
+}
+
+# Soft: warns, never fails.
+check_ceilings() {
+  local file lines ceiling
+  while read -r file; do
+    ceiling=400
+    [[ $file == *.h ]] && ceiling=200
+    lines=$(wc -l < "$file")
+    if [ "$lines" -gt "$ceiling" ]; then
+      echo "warning: $file has $lines lines; the soft ceiling is $ceiling"
+    fi
+    awk -v file="$file" '
+      /^[A-Za-z].*[^;]$/ && !/^(namespace|class|struct|enum|using|template)/ {
+        name = $0
+      }
+      /^{/ { start = NR }
+      /^}/ {
+        if (start && NR - start - 1 > 50 && name !~ /namespace/)
+          printf "warning: %s:%d: a function has %d lines; the soft ceiling is 50\n",
+            file, start, NR - start - 1
+        start = 0
+      }
+      /^namespace/ { name = "namespace" }' "$file"
+  done < <(sources "${rooms[@]}")
+  return 0
+}
+
+case $check in
+  rooms | licence | guards | format | ceilings) "check_$check" ;;
+  *)
+    echo "style.sh: unknown check '$check'" >&2
+    exit 2
+    ;;
+esac
