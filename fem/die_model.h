@@ -80,10 +80,13 @@ public:
            StageBegins stage_begins = {});
   ~DieModel();
 
-  /// Does one step of the schedule, cutting it as often as needed. A step that
-  /// fails leaves the last accepted state, in the model and in the points.
+  /// Does one step of the schedule, cutting it as often as needed, and says
+  /// `stepped`; says `finished`, and does nothing, once no stage is left. A
+  /// step that fails leaves the last accepted state, in the model and in the
+  /// points.
   [[nodiscard]] Advance advance();
 
+  /// The last accepted step; before the first one, step 0: the start.
   const StepRecord &last_step() const;
   const Failure &failure() const;
   ModelTimes times() const;

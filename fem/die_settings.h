@@ -45,8 +45,10 @@ struct Stage {
 struct StepLimits {
   double first = 1e-3;
   double maximum = 5e-3;
-  double unloading = 1e-3; ///< maximum while unloading and ejecting
-  double minimum = 1e-6;   ///< a smaller step ends the run
+  /// Maximum while unloading and ejecting. A compact that slides as a whole
+  /// goes up to 20 times as far in a step: it does not strain.
+  double unloading = 1e-3;
+  double minimum = 1e-6; ///< a smaller step ends the run
   double growth = 1.25;
   double cut = 0.5;
 };
@@ -58,8 +60,10 @@ enum class NonlinearMethod {
 
 struct SolverSettings {
   NonlinearMethod method = NonlinearMethod::anderson;
-  double force_tolerance = 1e-3;        ///< of the residual / reactions [-]
-  double displacement_tolerance = 1e-3; ///< of the change / increment [-]
+  double force_tolerance = 1e-3; ///< of the residual / reactions [-]
+  /// Of the change of displacement / the increment, which counts as 5e-3 of the
+  /// height at least [-].
+  double displacement_tolerance = 1e-3;
   unsigned maximum_iterations = 20;
   unsigned anderson_depth = 5;
   /// Reject steps in which a point loses most of its pressure or opens while

@@ -18,8 +18,10 @@ namespace
 /// Residuals are measured against at least this share of the largest reactions
 /// so far: at zero force there is nothing else to compare with.
 constexpr double smallest_reaction = 1e-4;
-/// Displacements are measured against at least this share of the height.
-constexpr double smallest_displacement = 1e-6;
+/// Displacements are measured against at least this share of the height, that
+/// of a usual step: with a material that is not exact a small step, of which
+/// its noise is a larger part, would else converge worse than a large one.
+constexpr double smallest_displacement = 5e-3;
 /// Updates without a new best residual after which an attempt is given up.
 constexpr unsigned patience = 6;
 

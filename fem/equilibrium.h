@@ -30,7 +30,7 @@ struct Attempt {
   std::size_t point = 0;   ///< where it went wrong, or the residual is largest
   unsigned iterations = 0; ///< evaluations of all points
   double force_residual = 0;      ///< / reactions [-]
-  double displacement_change = 0; ///< / largest displacement [-]
+  double displacement_change = 0; ///< / largest of a usual step [-]
   std::size_t doubtful_points = 0;
   ToolForces forces;
 };

@@ -31,6 +31,7 @@ struct LinearSolver::Implementation {
   SparseRows matrix; ///< PETSc works on these arrays
   std::vector<double> rhs, x;
   Mat A = nullptr;
+  Mat factors = nullptr; ///< belongs to the solver
   Vec b = nullptr, y = nullptr;
   KSP ksp = nullptr;
 
@@ -63,13 +64,19 @@ struct LinearSolver::Implementation {
     check(PCSetType(pc, PCLU), "choosing LU");
     check(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS), "choosing MUMPS");
     check(PCFactorSetUpMatSolverType(pc), "setting up MUMPS");
-    Mat factors = nullptr;
     check(PCFactorGetMatrix(pc, &factors), "setting up MUMPS");
     // The analysis must see the pattern only: no permutation by values (6),
     // ordering by approximate minimum degree (7). Room for pivoting (14).
     check(MatMumpsSetIcntl(factors, 6, 0), "setting up MUMPS");
     check(MatMumpsSetIcntl(factors, 7, 0), "setting up MUMPS");
     check(MatMumpsSetIcntl(factors, 14, 100), "setting up MUMPS");
+  }
+
+  /// MUMPS keeps an error; a new instance does not.
+  void renew_solver()
+  {
+    check(KSPDestroy(&ksp), "setting up the solver");
+    set_up_solver();
   }
 
   ~Implementation()
@@ -101,11 +108,11 @@ bool LinearSolver::factorise(std::span<const double> values)
   check(MatSeqAIJRestoreArray(s.A, &entries), "filling the matrix");
   check(KSPSetOperators(s.ksp, s.A, s.A), "setting the matrix");
   check(KSPSetUp(s.ksp), "factorising");
-  PC pc = nullptr;
-  PCFailedReason reason = PC_NOERROR;
-  check(KSPGetPC(s.ksp, &pc), "factorising");
-  check(PCGetFailedReason(pc, &reason), "factorising");
-  return reason == PC_NOERROR;
+  PetscInt outcome = 0; // of MUMPS; negative: an error
+  check(MatMumpsGetInfog(s.factors, 1, &outcome), "factorising");
+  if (outcome < 0)
+    s.renew_solver();
+  return outcome >= 0;
 }
 
 bool LinearSolver::solve(std::span<const double> right_side,

@@ -23,7 +23,8 @@ public:
   /// matrix is singular or has a value that is not finite.
   [[nodiscard]] bool factorise(std::span<const double> values);
 
-  /// Solves with the last factors. False if the answer is not finite.
+  /// Solves with the factors, which the last factorise() must have found. False
+  /// if the answer is not finite.
   [[nodiscard]] bool solve(std::span<const double> right_side,
                            std::span<double> solution);
 

@@ -231,6 +231,29 @@ TEST(DieModel, FailureNamesThePointAndKeepsTheLastState)
   EXPECT_EQ(run.model.last_step().step, run.records.size());
 }
 
+TEST(DieModel, StepThatFailsOnceIsCutAndTheRunGoesOn)
+{
+  DieSettings settings = default_settings();
+  settings.stages = {press_to_density(0.53)};
+  Trip run(settings);
+  run.points.spoil = [](unsigned evaluation, std::span<Response> responses) {
+    if (evaluation == 9)
+      responses[3].status = Status::failed;
+  };
+  ASSERT_EQ(run.finish(), Advance::finished);
+  unsigned cuts = 0, updates = 1; // one of the start
+  for (const StepRecord &record : run.records) {
+    cuts += record.cuts;
+    updates += record.material_updates;
+    EXPECT_GE(record.material_updates, record.iterations);
+  }
+  EXPECT_EQ(cuts, 1u);
+  EXPECT_EQ(updates, run.points.evaluations);
+  EXPECT_EQ(run.points.commits, run.records.size());
+  EXPECT_FALSE(run.points.committed_spoilt);
+  EXPECT_NEAR(run.records.back().mean_relative_density, 0.53, 1e-12);
+}
+
 TEST(DieModel, ImpossibleSizesAreRefused)
 {
   const DieSettings settings = default_settings();
