@@ -6,6 +6,7 @@
 #include <apps/plots.h>
 #include <apps/run_material.h>
 #include <apps/schedule.h>
+#include <apps/units.h>
 #include <apps/watched_points.h>
 #include <fem/die_mesh.h>
 #include <fem/die_model.h>
