@@ -163,6 +163,10 @@ set xlabel "r [mm]"
 set ylabel "z [mm]"
 set cblabel "relative density [-]"
 set size ratio -1
+set autoscale xfix
+set autoscale yfix
+set ytics 1
+set border 0
 unset grid
 unset key
 set pm3d map corners2color c1
