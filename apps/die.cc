@@ -6,6 +6,7 @@
 #include <apps/plots.h>
 #include <apps/run_material.h>
 #include <apps/schedule.h>
+#include <apps/units.h>
 #include <apps/watched_points.h>
 #include <fem/die_mesh.h>
 #include <fem/die_model.h>
@@ -36,12 +37,6 @@ std::vector<double> expected_steps(const fem::DieSettings &die)
     double guess = 30;
     if (stage.kind == StageKind::press)
       guess = 0.35 / die.steps.maximum;
-    if (stage.kind == StageKind::eject) {
-      const double way = stage.target == fem::StageTarget::rim
-                             ? 0.3 * die.geometry.fill_height
-                             : stage.value;
-      guess = way / (0.7 * die.geometry.fill_height * die.steps.unloading);
-    }
     if (stage.kind == StageKind::hold)
       guess = stage.steps;
     steps.push_back(std::max(guess, 1.));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <apps/die_output.h>
+#include <apps/units.h>
 #include <coupling/grain_output.h>
 #include <dem/measures.h>
 

@@ -18,7 +18,7 @@ fs::path examples_folder()
 {
   const BuildFacts facts = build_facts();
   for (const fs::path folder :
-       {facts.installed_examples, facts.source_examples})
+       {facts.source_examples, facts.installed_examples})
     if (fs::is_directory(folder))
       return folder;
   throw OutputError(fmt::format("the examples are not installed; expected them "

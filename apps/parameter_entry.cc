@@ -114,7 +114,8 @@ std::string EntryPattern::limits() const
 
 std::string EntryPattern::expected() const
 {
-  const std::string bounds = limits().empty() ? "" : " " + limits();
+  const std::string bounds =
+      limits().empty() ? "" : fmt::format(" {}", limits());
   switch (kind) {
   case EntryKind::quantity:
   case EntryKind::quantities: {
@@ -123,7 +124,8 @@ std::string EntryPattern::expected() const
     if (comma == std::string::npos)
       return what + bounds;
     return what.substr(0, comma) + bounds +
-           (unit() == "-" ? "" : " [" + unit() + "]") + what.substr(comma) +
+           (unit() == "-" ? "" : fmt::format(" [{}]", unit())) +
+           what.substr(comma) +
            (kind == EntryKind::quantities ? "; several are divided by commas"
                                           : "");
   }

@@ -30,7 +30,7 @@ public:
   }
   std::string description(OutputStyle) const override
   {
-    return "[" + pattern_.expected() + "]";
+    return fmt::format("[{}]", pattern_.expected());
   }
   std::unique_ptr<PatternBase> clone() const override
   {
@@ -390,13 +390,14 @@ void ParameterTable::print(std::ostream &out, TableFormat format) const
                          "|\n|---|---|---|---|---|\n",
                          fmt::join(section, " / "));
     }
-    out << fmt::format(
-        "| {} | {} | {} | {} | {} |\n",
-        entry.name,
-        entry.default_value.empty() ? "" : "`" + entry.default_value + "`",
-        entry.pattern.limits(),
-        entry.pattern.unit(),
-        entry.text);
+    out << fmt::format("| {} | {} | {} | {} | {} |\n",
+                       entry.name,
+                       entry.default_value.empty()
+                           ? ""
+                           : fmt::format("`{}`", entry.default_value),
+                       entry.pattern.limits(),
+                       entry.pattern.unit(),
+                       entry.text);
   }
 }
 
@@ -423,7 +424,7 @@ void ParameterTable::echo(std::ostream &out) const
                        entry.pattern.unit().empty() ||
                                entry.pattern.unit() == "-"
                            ? ""
-                           : " # [" + entry.pattern.unit() + "]");
+                           : fmt::format(" # [{}]", entry.pattern.unit()));
   }
   while (!section.empty())
     leave();

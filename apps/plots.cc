@@ -42,7 +42,7 @@ bool run_gnuplot(const std::filesystem::path &folder,
     posix_spawn_file_actions_addopen(
         &actions, stream, "gnuplot.log", O_WRONLY | O_CREAT | O_APPEND, 0644);
   std::array<std::string, 4> words{
-      "gnuplot", "-e", "format='" + format + "'", script};
+      "gnuplot", "-e", fmt::format("format='{}'", format), script};
   std::array<char *, 5> arguments{};
   for (std::size_t i = 0; i < words.size(); ++i)
     arguments[i] = words[i].data();
@@ -163,6 +163,10 @@ set xlabel "r [mm]"
 set ylabel "z [mm]"
 set cblabel "relative density [-]"
 set size ratio -1
+set autoscale xfix
+set autoscale yfix
+set ytics 1
+set border 0
 unset grid
 unset key
 set pm3d map corners2color c1

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <apps/curve_writer.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <string>
+#include <unistd.h>
+
+using namespace tamp::apps;
+
+namespace
+{
+std::vector<std::string> lines_of(const std::filesystem::path &file)
+{
+  std::ifstream in(file);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(in, line);)
+    lines.push_back(line);
+  return lines;
+}
+} // namespace
+
+TEST(CurveWriter, KeepsAllDigits)
+{
+  const auto file = std::filesystem::temp_directory_path() /
+                    ("tamp_curve_" + std::to_string(getpid()) + ".csv");
+  const double third = 1. / 3, small = 4.9406564584124654e-324;
+  {
+    CurveWriter curve(file, {"step", "stress[Pa]", "x[-]"}, {"a remark"});
+    curve.write(std::vector<double>{1, third, small});
+    // Nothing waits in a buffer.
+    EXPECT_EQ(lines_of(file).size(), 3u);
+  }
+  const auto lines = lines_of(file);
+  EXPECT_EQ(lines[0], "# a remark");
+  EXPECT_EQ(lines[1], "step,stress[Pa],x[-]");
+  const std::size_t comma = lines[2].find(',');
+  EXPECT_EQ(lines[2].substr(0, comma), "1");
+  EXPECT_EQ(std::strtod(lines[2].c_str() + comma + 1, nullptr), third);
+  EXPECT_EQ(std::strtod(lines[2].c_str() + lines[2].rfind(',') + 1, nullptr),
+            small);
+  std::filesystem::remove(file);
+}
+
+TEST(CurveWriter, SaysWhichFileCannotBeWritten)
+{
+  EXPECT_THROW(CurveWriter("/dev/null/curve.csv", {"step"}), OutputError);
+}

@@ -1,0 +1,81 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Runs that succeed leave the folder that users are promised. Usage:
+# good_run.sh TAMP
+set -euo pipefail
+export LC_ALL=C OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+
+tamp=$1
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+cd "$work"
+
+fail() {
+  echo "FAILED: $*"
+  exit 1
+}
+has() {
+  for name in "$@"; do
+    [ -s "$name" ] || fail "$name is missing or empty"
+  done
+}
+# rectangular FILE: every line has as many fields as the header.
+rectangular() {
+  awk -F, '/^#/ { if (fields) exit 1; next }
+    !fields { fields = NF; next }
+    NF != fields { exit 1 }
+    END { exit !(fields && NR > 3) }' "$1" || fail "$1 is not a table"
+}
+
+cat > law.prm << 'END'
+subsection Material
+  set Type = drucker-prager cap
+end
+subsection Die
+  set Elements = 2, 2
+end
+subsection Schedule
+  set Stages = press to density 0.5; unload to 5 % of peak
+end
+subsection Solver
+  set Maximum step = 2e-2
+end
+subsection Path
+  set Stages = uniaxial to strain 0.2; unload to 1 % of peak
+end
+END
+
+NO_COLOR=1 "$tamp" die law.prm > die.txt
+has results/law/{run.json,input.prm,log.txt,curve.csv,summary.txt,fields.pvd}
+rectangular results/law/curve.csv
+grep -q '"status": "done"' results/law/run.json || fail "status"
+grep -q 'mean_relative_density\[-\]' results/law/curve.csv || fail "header"
+if command -v gnuplot > /dev/null; then
+  has results/law/plots/{compaction,density_map}.{svg,png,gp}
+fi
+! grep -q $'\r\|\033' die.txt || fail "a bar was drawn into a file"
+
+# The echo is an input that gives the same run.
+"$tamp" die results/law/input.prm -o again -q --no-plots > quiet.txt
+[ ! -s quiet.txt ] || fail "-q is not quiet"
+cut -d, -f1-14 results/law/curve.csv > first.txt
+cut -d, -f1-14 again/curve.csv > second.txt
+cmp first.txt second.txt || fail "the echo gives another run"
+
+"$tamp" probe law.prm -o probe > /dev/null
+has probe/{run.json,curve.csv,summary.txt}
+rectangular probe/curve.csv
+
+# All parameters with their defaults can be read back, in both formats.
+"$tamp" params > all.prm
+"$tamp" params --check all.prm
+"$tamp" params --format json > all.json
+"$tamp" params --check all.json
+"$tamp" params --format md | grep -q 'Limiting contact pressure' || fail md
+
+"$tamp" examples list | grep -q die_default || fail "examples list"
+"$tamp" examples copy probe_uniaxial copied
+has copied/probe_uniaxial/probe_uniaxial.prm
+"$tamp" --version | grep -q '^tamp [0-9]' || fail version
+"$tamp" --help | grep -q 'Exit codes' || fail help
+echo "all well"

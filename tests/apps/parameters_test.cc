@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <apps/nearest_name.h>
+#include <apps/parameter_table.h>
+#include <apps/run_input.h>
+
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <sstream>
+#include <unistd.h>
+
+using namespace tamp::apps;
+
+namespace
+{
+class Parameters : public testing::Test
+{
+protected:
+  Parameters()
+      : folder_(std::filesystem::temp_directory_path() /
+                ("tamp_parameters_" + std::to_string(getpid())))
+  {
+    std::filesystem::create_directories(folder_);
+    declare_parameters(table);
+  }
+  ~Parameters() override { std::filesystem::remove_all(folder_); }
+
+  std::filesystem::path file(const std::string &name, const std::string &text)
+  {
+    std::ofstream(folder_ / name) << text;
+    return folder_ / name;
+  }
+
+  std::string message(const std::string &text)
+  {
+    try {
+      table.read(file("input.prm", text));
+    } catch (const InputError &error) {
+      return error.what();
+    }
+    return {};
+  }
+
+  ParameterTable table;
+
+private:
+  std::filesystem::path folder_;
+};
+} // namespace
+
+TEST_F(Parameters, DefaultsWork)
+{
+  const RunInput input = read_input(table, Need::everything);
+  EXPECT_NO_THROW(input.material.packing.check());
+  EXPECT_NO_THROW(input.material.driving.check());
+  EXPECT_NO_THROW(input.die.check());
+}
+
+TEST_F(Parameters, FileBeatsDefaultAndSetBeatsFile)
+{
+  table.read(file("input.prm",
+                  "subsection Contact # a remark\n  set Limiting contact "
+                  "pressure = \\\n 50 MPa\nend\n"));
+  EXPECT_DOUBLE_EQ(table.number("Contact/Limiting contact pressure"), 50e6);
+  table.set("Contact/Limiting contact pressure = 20 MPa");
+  EXPECT_DOUBLE_EQ(table.number("Contact/Limiting contact pressure"), 20e6);
+}
+
+TEST_F(Parameters, IncludedFilesKeepTheirLines)
+{
+  file("grains.prm", "subsection Grains\n  set Cont = 5\nend\n");
+  const std::string text = message("include grains.prm\n");
+  EXPECT_NE(text.find("grains.prm:2"), std::string::npos) << text;
+  EXPECT_NE(text.find("'Count'"), std::string::npos) << text;
+}
+
+TEST_F(Parameters, JsonIsRead)
+{
+  table.read(file("input.json",
+                  R"({"Grains": {"Count": 300, "Young's modulus": "1 GPa"},
+                      "Die": {"Elements": [2, 3]}})"));
+  EXPECT_EQ(table.whole("Grains/Count"), 300);
+  EXPECT_DOUBLE_EQ(table.number("Grains/Young's modulus"), 1e9);
+  EXPECT_EQ(table.indices("Die/Elements"), (std::vector<std::size_t>{2, 3}));
+}
+
+TEST_F(Parameters, TheEchoReadsBackExactly)
+{
+  table.set("Grains/Minimum diameter = 450 um");
+  table.set("Material/Drucker-Prager cap/Friction angle = 54.35, 68.78, 68.34, "
+            "68.03, 68.07, 67.42, 66.51, 66.32, 65.69, 63.41 deg");
+  std::ostringstream echo;
+  table.echo(echo);
+  ParameterTable again;
+  declare_parameters(again);
+  again.read(file("echo.prm", echo.str()));
+  EXPECT_EQ(again.number("Grains/Minimum diameter"),
+            table.number("Grains/Minimum diameter"));
+  EXPECT_EQ(again.numbers("Material/Drucker-Prager cap/Friction angle"),
+            table.numbers("Material/Drucker-Prager cap/Friction angle"));
+}
+
+TEST_F(Parameters, AUnitAfterTheLastValueHoldsForAll)
+{
+  table.set("Material/Elastic/Young's modulus = 1, 2 GPa, 3 MPa");
+  const auto values = table.numbers("Material/Elastic/Young's modulus");
+  ASSERT_EQ(values.size(), 3u);
+  EXPECT_DOUBLE_EQ(values[0], 1e6);
+  EXPECT_DOUBLE_EQ(values[1], 2e9);
+  EXPECT_DOUBLE_EQ(values[2], 3e6);
+}
+
+TEST_F(Parameters, AFreeEjectionOfCellsIsRefusedWithTheReason)
+{
+  table.set("Schedule/Stages = press to density 0.8; eject to rim holding 0 % "
+            "of peak");
+  EXPECT_THROW(read_input(table, Need::die), InputError);
+  table.set("Material/Type = drucker-prager cap");
+  EXPECT_NO_THROW(read_input(table, Need::die));
+}
+
+TEST(NearestName, CountsSwapsAsOneMistake)
+{
+  EXPECT_EQ(edit_distance("hertz", "herzt"), 1u);
+  EXPECT_EQ(edit_distance("Count", "count"), 0u);
+  EXPECT_EQ(nearest_name("minlin", {"none", "mindlin"}), "mindlin");
+}

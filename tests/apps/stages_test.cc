@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <apps/probe_path.h>
+#include <apps/schedule.h>
+#include <apps/units.h>
+
+#include <gtest/gtest.h>
+
+using namespace tamp;
+using namespace tamp::apps;
+
+using Control = fem::ComponentTarget::Control;
+
+TEST(Schedule, ReadsPressUnloadEject)
+{
+  const auto stages = parse_schedule(
+      "press to density 0.85; unload to 5 % of peak; eject by 1 mm holding 5% "
+      "of peak; hold 3 steps",
+      {});
+  ASSERT_EQ(stages.size(), 4u);
+  EXPECT_EQ(stages[0].kind, fem::StageKind::press);
+  EXPECT_EQ(stages[0].target, fem::StageTarget::density);
+  EXPECT_DOUBLE_EQ(stages[0].value, 0.85);
+  EXPECT_EQ(stages[1].target, fem::StageTarget::peak_share);
+  EXPECT_DOUBLE_EQ(stages[1].value, 0.05);
+  EXPECT_EQ(stages[2].kind, fem::StageKind::eject);
+  EXPECT_DOUBLE_EQ(stages[2].value, 1e-3);
+  EXPECT_DOUBLE_EQ(stages[2].hold_share, 0.05);
+  EXPECT_EQ(stages[3].steps, 3u);
+}
+
+TEST(Schedule, TurnsPressureIntoForce)
+{
+  const auto stages =
+      parse_schedule("press to pressure 50 MPa", {.punch_area = 2e-4});
+  EXPECT_EQ(stages[0].target, fem::StageTarget::force);
+  EXPECT_DOUBLE_EQ(stages[0].value, 1e4);
+}
+
+TEST(Schedule, AnEjectionThatSaysNothingHoldsTheDefault)
+{
+  const auto stages =
+      parse_schedule("eject to rim", {.default_hold_share = 0.03});
+  EXPECT_EQ(stages[0].target, fem::StageTarget::rim);
+  EXPECT_DOUBLE_EQ(stages[0].hold_share, 0.03);
+}
+
+TEST(Schedule, NamesTheWordThatIsWrong)
+{
+  for (const char *text : {"",
+                           "pres to density 0.8",
+                           "press to densty 0.8",
+                           "press to density 8 mm",
+                           "press to density 0.8 please",
+                           "unload to 5 %",
+                           "eject to 1 mm",
+                           "hold 0 steps"})
+    EXPECT_THROW(parse_schedule(text, {}), InputError) << text;
+}
+
+TEST(ProbePath, CompressionBecomesNegativeStrain)
+{
+  const auto path = parse_path("uniaxial to strain 0.15", {});
+  ASSERT_EQ(path.stages.size(), 1u);
+  const auto &components = path.stages[0].stage.components;
+  EXPECT_EQ(components[2].control, Control::strain);
+  EXPECT_DOUBLE_EQ(components[2].value, -0.15);
+  EXPECT_FALSE(components[2].relative);
+  for (const unsigned other : {0u, 1u, 3u, 4u, 5u}) {
+    EXPECT_TRUE(components[other].relative);
+    EXPECT_DOUBLE_EQ(components[other].value, 0);
+  }
+}
+
+TEST(ProbePath, UnloadingEndsAtAShareOfThePeak)
+{
+  const auto path =
+      parse_path("uniaxial to stress 10 MPa; unload to 1 % of peak", {});
+  ASSERT_EQ(path.stages.size(), 2u);
+  EXPECT_DOUBLE_EQ(path.stages[0].stage.until_stress, -10e6);
+  EXPECT_FALSE(path.stages[0].stage.until_above);
+  EXPECT_DOUBLE_EQ(path.stages[1].peak_share, 0.01);
+  EXPECT_TRUE(path.stages[1].stage.until_above);
+}
+
+TEST(ProbePath, HoldsLateralPressureInATriaxialTest)
+{
+  const auto path = parse_path("triaxial to strain 0.2 at pressure 1 MPa", {});
+  const auto &components = path.stages[0].stage.components;
+  EXPECT_EQ(components[0].control, Control::stress);
+  EXPECT_DOUBLE_EQ(components[0].value, -1e6);
+  EXPECT_DOUBLE_EQ(components[2].value, -0.2);
+}
+
+TEST(ProbePath, ReadsComponents)
+{
+  const auto path =
+      parse_path("components zz strain 0.1, xx stress 100 kPa", {});
+  const auto &components = path.stages[0].stage.components;
+  EXPECT_DOUBLE_EQ(components[2].value, -0.1);
+  EXPECT_EQ(components[0].control, Control::stress);
+  EXPECT_DOUBLE_EQ(components[0].value, -1e5);
+  EXPECT_TRUE(components[1].relative);
+}
+
+TEST(ProbePath, NamesTheWordThatIsWrong)
+{
+  for (const char *text : {"",
+                           "uniaxal to strain 0.1",
+                           "uniaxial strain 0.1",
+                           "uniaxial to strain 1 MPa",
+                           "unload to 120 % of peak",
+                           "hold 2.5 steps",
+                           "csv file.csv; hold 1 step"})
+    EXPECT_THROW(parse_path(text, {}), InputError) << text;
+}
