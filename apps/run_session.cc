@@ -124,7 +124,9 @@ int RunSession::finish(const RunEnd &end)
                              record_.status,
                              end.message,
                              folder_->path().string()));
-  if (end.code != exit_done)
+  if (end.code == exit_input)
+    fmt::print(stderr, "tamp: {}\n", end.message);
+  else if (end.code != exit_done)
     fmt::print(stderr,
                "tamp: {}: {}. The results so far are in {}\n",
                record_.status,
