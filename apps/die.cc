@@ -208,7 +208,7 @@ private:
         "help",
         model_.last_step().step,
         name_of(kind(model_.last_step().stage)),
-        failure.reason,
+        reason(failure),
         failure.point,
         1e3 * failure.position[0],
         1e3 * failure.position[1],
@@ -216,6 +216,14 @@ private:
         -stress[1][1] / 1e6,
         -stress[2][2] / 1e6,
         -stress[0][2] / 1e6);
+  }
+
+  std::string reason(const fem::Failure &failure) const
+  {
+    const std::string problem =
+        material_.cells ? material_.cells->report().problem : "";
+    return problem.empty() ? failure.reason
+                           : failure.reason + " (" + problem + ")";
   }
 
   void give_times()

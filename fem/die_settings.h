@@ -63,7 +63,7 @@ struct SolverSettings {
   double force_tolerance = 1e-3; ///< of the residual / reactions [-]
   /// Of the change of displacement / the increment, which counts as 5e-3 of the
   /// height at least [-].
-  double displacement_tolerance = 1e-3;
+  double displacement_tolerance = 1e-2;
   unsigned maximum_iterations = 20;
   unsigned anderson_depth = 5;
   /// Reject steps in which a point loses most of its pressure or opens while
