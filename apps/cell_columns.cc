@@ -1,11 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <apps/cell_columns.h>
+#include <dem/dynamics.h>
+
+#include <utility>
 
 namespace tamp::apps
 {
 const std::vector<std::string> six_names{"xx", "yy", "zz", "yz", "xz", "xy"};
 
-std::vector<std::string> cell_header()
+void append_six(const dealii::SymmetricTensor<2, 3> &tensor,
+                std::vector<double> &values)
+{
+  for (const auto &[i, j] :
+       {std::pair{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}})
+    values.push_back(tensor[i][j]);
+}
+
+std::vector<std::string> cell_header(bool dynamics)
 {
   std::vector<std::string> names{"coordination_number[-]",
                                  "mechanical_coordination_number[-]",
@@ -24,11 +35,18 @@ std::vector<std::string> cell_header()
                            "plastic_dissipation[J/m3]",
                            "friction_dissipation[J/m3]"})
     names.emplace_back(name);
+  if (dynamics)
+    for (const char *name : {"inertial_number[-]",
+                             "scaling_number[-]",
+                             "kinetic_energy[J/m3]",
+                             "damping_dissipation[J/m3]"})
+      names.emplace_back(name);
   return names;
 }
 
 std::vector<double> cell_values(const coupling::UnitCellPoints &cells,
-                                std::size_t point)
+                                std::size_t point,
+                                const dem::Driving &driving)
 {
   const dem::UnitCell &cell = cells.cell(point);
   const dem::CellMeasures measures = dem::measure(cell);
@@ -36,25 +54,35 @@ std::vector<double> cell_values(const coupling::UnitCellPoints &cells,
   const dem::Matrix3 rotation = cells.rotation(point);
   const dem::Matrix3 fabric = rotation * measures.fabric * rotation.transpose();
   const double volume = cell.reference_volume;
-  return {measures.coordination_number,
-          measures.mechanical_coordination_number,
-          static_cast<double>(measures.contacts),
-          static_cast<double>(measures.plastic_contacts),
-          static_cast<double>(measures.sliding_contacts),
-          static_cast<double>(measures.rattlers),
-          fabric(0, 0),
-          fabric(1, 1),
-          fabric(2, 2),
-          fabric(1, 2),
-          fabric(0, 2),
-          fabric(0, 1),
-          report.worst_unbalance,
-          report.mean_evaluations,
-          measures.asymmetry,
-          report.worst_hill_mandel,
-          cell.energy.work / volume,
-          measures.elastic_energy / volume,
-          cell.energy.plastic_dissipation / volume,
-          cell.energy.friction_dissipation / volume};
+  std::vector<double> values{measures.coordination_number,
+                             measures.mechanical_coordination_number,
+                             static_cast<double>(measures.contacts),
+                             static_cast<double>(measures.plastic_contacts),
+                             static_cast<double>(measures.sliding_contacts),
+                             static_cast<double>(measures.rattlers),
+                             fabric(0, 0),
+                             fabric(1, 1),
+                             fabric(2, 2),
+                             fabric(1, 2),
+                             fabric(0, 2),
+                             fabric(0, 1),
+                             report.worst_unbalance,
+                             report.mean_evaluations,
+                             measures.asymmetry,
+                             report.worst_hill_mandel,
+                             cell.energy.work / volume,
+                             measures.elastic_energy / volume,
+                             cell.energy.plastic_dissipation / volume,
+                             cell.energy.friction_dissipation / volume};
+  if (driving.method == dem::Method::dynamics) {
+    const dem::DynamicMeasures moving = dem::measure_dynamics(
+        cell, driving.dynamics, -measures.stress.trace() / 3);
+    values.insert(values.end(),
+                  {moving.inertial_number,
+                   moving.scaling_number,
+                   moving.kinetic_energy / volume,
+                   cell.energy.damping_dissipation / volume});
+  }
+  return values;
 }
 } // namespace tamp::apps

@@ -4,10 +4,10 @@
 #include <apps/die_results.h>
 #include <apps/interrupt.h>
 #include <apps/plots.h>
+#include <apps/recorded_points.h>
 #include <apps/run_material.h>
 #include <apps/schedule.h>
 #include <apps/units.h>
-#include <apps/watched_points.h>
 #include <fem/die_mesh.h>
 #include <fem/die_model.h>
 
@@ -51,12 +51,12 @@ public:
       : session_(session), settings_(session.input().die),
         mesh_(settings_.geometry),
         material_(prepare_material(session, mesh_.number_of_points())),
-        points_(*material_.points, material_.cells),
+        points_(*material_.points),
         model_(settings_,
                mesh_,
                points_,
                [this](unsigned stage, double peak) { begin(stage, peak); }),
-        output_(session, model_, material_.cells),
+        output_(session, model_, points_, material_.cells),
         curve_(session.folder().path() / "curve.csv", die_header(), remarks()),
         steps_(expected_steps(settings_))
   {
@@ -68,7 +68,6 @@ public:
     log.begin(fmt::format("{} points, {} stages",
                           mesh_.number_of_points(),
                           settings_.stages.size()));
-    points_.take_evaluations();
     take_step();
     output_.write(0, true);
     const RunEnd end = advance();
@@ -139,13 +138,14 @@ private:
     const fem::StepRecord &record = model_.last_step();
     StepEffort effort;
     effort.wall_time = session_.log().progress().elapsed();
-    effort.evaluations = points_.take_evaluations();
     if (material_.cells) {
+      effort.evaluations = material_.cells->report().mean_evaluations;
       effort.worst_unbalance = material_.cells->report().worst_unbalance;
       effort.worst_hill_mandel = material_.cells->report().worst_hill_mandel;
     }
     curve_.write(die_values(record, effort));
     results_.take(record, kind(record.stage), effort);
+    output_.write_point_lines();
     if (kind(record.stage) == StageKind::press)
       map_ = density_map(model_);
     session_.log().step(
@@ -258,7 +258,7 @@ private:
   const fem::DieSettings &settings_;
   fem::DieMesh mesh_;
   coupling::Material material_;
-  WatchedPoints points_;
+  RecordedPoints points_;
   fem::DieModel model_;
   DieOutput output_;
   CurveWriter curve_;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <apps/cell_columns.h>
 #include <apps/die_output.h>
 #include <apps/units.h>
 #include <coupling/grain_output.h>
@@ -30,28 +31,54 @@ std::vector<fem::PointField> cell_fields(const coupling::UnitCellPoints &cells)
   }
   return fields;
 }
+
+std::vector<std::string> point_header()
+{
+  std::vector<std::string> names{"step", "stage"};
+  for (const char first : {'x', 'y', 'z'})
+    for (const char second : {'x', 'y', 'z'})
+      names.push_back(fmt::format("relative_F_{}{}[-]", first, second));
+  for (const std::string &six : six_names)
+    names.push_back("stress_" + six + "[Pa]");
+  names.emplace_back("relative_density[-]");
+  return names;
+}
 } // namespace
 
 DieOutput::DieOutput(const RunSession &session,
                      const fem::DieModel &model,
+                     const RecordedPoints &points,
                      const coupling::UnitCellPoints *cells)
-    : session_(session), model_(model), cells_(cells),
+    : session_(session), model_(model), points_(points), cells_(cells),
       fields_(session.folder(), "fields.pvd"),
       grains_(session.folder(), "grains.pvd")
 {
-  const OutputSettings &output = session.input().output;
-  if (!cells || output.grain_output == GrainOutput::none)
+  choose_points();
+  for (const std::size_t point : grain_points_)
+    point_lines_.push_back(std::make_unique<CurveWriter>(
+        session.folder().subfolder("grains") /
+            fmt::format("point_{:04d}.csv", point),
+        point_header(),
+        std::vector<std::string>{
+            "compression is positive; axes x = r, y = hoop, z = axis",
+            "replay: tamp probe with Path/Stages = csv THIS FILE"}));
+}
+
+void DieOutput::choose_points()
+{
+  const OutputSettings &output = session_.input().output;
+  if (!cells_ || output.grain_output == GrainOutput::none)
     return;
   if (output.grain_output == GrainOutput::chosen_points) {
     for (const std::size_t point : output.grain_points)
-      if (point >= cells->size())
+      if (point >= cells_->size())
         throw InputError(fmt::format("Output/Grain points: there is no point "
                                      "{}; expected numbers from 0 to {}",
                                      point,
-                                     cells->size() - 1));
+                                     cells_->size() - 1));
     grain_points_ = output.grain_points;
   } else {
-    grain_points_.resize(cells->size());
+    grain_points_.resize(cells_->size());
     std::iota(grain_points_.begin(), grain_points_.end(), std::size_t(0));
   }
 }
@@ -63,6 +90,26 @@ void DieOutput::write(unsigned step, bool must)
     write_fields(step);
   if ((must || step % output.grain_interval == 0) && last_grains_ != step)
     write_grains(step);
+}
+
+void DieOutput::write_point_lines()
+{
+  if (points_.last_deformations().empty())
+    return;
+  const fem::StepRecord &record = model_.last_step();
+  for (std::size_t k = 0; k < grain_points_.size(); ++k) {
+    const std::size_t point = grain_points_[k];
+    const auto &F = points_.last_deformations()[point].relative_F;
+    const fem::Response &response = model_.responses()[point];
+    std::vector<double> values{static_cast<double>(record.step),
+                               static_cast<double>(record.stage + 1)};
+    for (unsigned i = 0; i < 3; ++i)
+      for (unsigned j = 0; j < 3; ++j)
+        values.push_back(F[i][j]);
+    append_six(-response.stress, values);
+    values.push_back(response.relative_density);
+    point_lines_[k]->write(values);
+  }
 }
 
 void DieOutput::write_fields(unsigned step)

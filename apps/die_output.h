@@ -2,10 +2,14 @@
 #ifndef apps_die_output_h
 #define apps_die_output_h
 
+#include <apps/curve_writer.h>
+#include <apps/recorded_points.h>
 #include <apps/run_session.h>
 #include <apps/series_writer.h>
 #include <coupling/unit_cell_points.h>
 #include <fem/die_model.h>
+
+#include <memory>
 
 namespace tamp::apps
 {
@@ -16,20 +20,28 @@ public:
   /// @param cells  null for continua. All must outlive this.
   DieOutput(const RunSession &session,
             const fem::DieModel &model,
+            const RecordedPoints &points,
             const coupling::UnitCellPoints *cells);
 
   /// Writes what is due at a step; everything if `must` is set. A step is
   /// written once.
   void write(unsigned step, bool must);
 
+  /// Adds the committed step to the path and the answer of each chosen point:
+  /// what the point was told, to the last bit, and its stress.
+  void write_point_lines();
+
 private:
   void write_fields(unsigned step);
   void write_grains(unsigned step);
+  void choose_points();
 
   const RunSession &session_;
   const fem::DieModel &model_;
+  const RecordedPoints &points_;
   const coupling::UnitCellPoints *cells_;
   std::vector<std::size_t> grain_points_;
+  std::vector<std::unique_ptr<CurveWriter>> point_lines_;
   SeriesWriter fields_, grains_;
   long last_fields_ = -1, last_grains_ = -1;
 };

@@ -13,12 +13,14 @@ double ratio(double part, double whole)
   return std::abs(whole) > 0 ? part / whole : 0;
 }
 
-// upper - lower - wall friction, over the upper force.
+// upper - lower - wall friction, over the largest force of a tool.
 double imbalance(const fem::StepRecord &record)
 {
   return ratio(std::abs(record.upper_force - record.lower_force -
                         record.wall_friction_force),
-               std::abs(record.upper_force));
+               std::max({std::abs(record.upper_force),
+                         std::abs(record.lower_force),
+                         std::abs(record.wall_normal_force)}));
 }
 } // namespace
 

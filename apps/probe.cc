@@ -27,7 +27,7 @@ using SymmetricTensor = dealii::SymmetricTensor<2, 3>;
 struct Interrupted {
 };
 
-std::vector<std::string> probe_header(bool cells)
+std::vector<std::string> probe_header(bool cells, bool dynamics)
 {
   std::vector<std::string> names{"step", "stage"};
   for (const char first : {'x', 'y', 'z'})
@@ -43,7 +43,7 @@ std::vector<std::string> probe_header(bool cells)
                            "void_ratio[-]"})
     names.emplace_back(name);
   if (cells)
-    std::ranges::copy(cell_header(), std::back_inserter(names));
+    std::ranges::copy(cell_header(dynamics), std::back_inserter(names));
   return names;
 }
 
@@ -63,13 +63,6 @@ SymmetricTensor logarithmic_strain(const Tensor &F)
   return strain;
 }
 
-void append_six(const SymmetricTensor &tensor, std::vector<double> &values)
-{
-  for (const auto &[i, j] :
-       {std::pair{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}})
-    values.push_back(tensor[i][j]);
-}
-
 class ProbeRun
 {
 public:
@@ -77,7 +70,8 @@ public:
       : session_(session), path_(session.input().path),
         material_(prepare_material(session, 1)),
         curve_(session.folder().path() / "curve.csv",
-               probe_header(material_.cells != nullptr),
+               probe_header(material_.cells != nullptr,
+                            driving().method == dem::Method::dynamics),
                remarks()),
         grains_(session.folder(), "grains.pvd")
   {
@@ -107,6 +101,11 @@ public:
   }
 
 private:
+  const dem::Driving &driving() const
+  {
+    return session_.input().material.driving;
+  }
+
   std::vector<std::string> remarks() const
   {
     std::vector<std::string> lines{
@@ -184,7 +183,7 @@ private:
     values.push_back(density_);
     values.push_back(1 / density_ - 1);
     if (material_.cells)
-      std::ranges::copy(cell_values(*material_.cells, 0),
+      std::ranges::copy(cell_values(*material_.cells, 0, driving()),
                         std::back_inserter(values));
     curve_.write(values);
     remember(record, strain, stress);

@@ -1,23 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef apps_watched_points_h
-#define apps_watched_points_h
+#ifndef apps_recorded_points_h
+#define apps_recorded_points_h
 
-#include <coupling/unit_cell_points.h>
 #include <fem/material_points.h>
+
+#include <vector>
 
 namespace tamp::apps
 {
-/// Passes everything on to other material points and adds up the work of
-/// cells, which the model does not know of.
-class WatchedPoints final : public fem::MaterialPoints
+/// Passes everything on to other material points and remembers which
+/// deformations were committed last, to the last bit: the path of a point can
+/// then be replayed.
+class RecordedPoints final : public fem::MaterialPoints
 {
 public:
-  /// @param cells  the same object as `points`, or null
-  WatchedPoints(fem::MaterialPoints &points,
-                const coupling::UnitCellPoints *cells)
-      : points_(points), cells_(cells)
-  {
-  }
+  explicit RecordedPoints(fem::MaterialPoints &points) : points_(points) {}
 
   std::size_t size() const override { return points_.size(); }
   void begin_attempt() override { points_.begin_attempt(); }
@@ -26,10 +23,13 @@ public:
                 std::span<fem::Response> responses) override
   {
     points_.evaluate(deformations, want, responses);
-    if (cells_)
-      evaluations_ += cells_->report().mean_evaluations;
+    trial_.assign(deformations.begin(), deformations.end());
   }
-  void commit() override { points_.commit(); }
+  void commit() override
+  {
+    points_.commit();
+    committed_ = trial_;
+  }
   void pack(std::size_t point, std::vector<char> &bytes) const override
   {
     points_.pack(point, bytes);
@@ -40,18 +40,15 @@ public:
   }
   double cost(std::size_t point) const override { return points_.cost(point); }
 
-  /// Force evaluations per cell since the last call.
-  double take_evaluations()
+  /// Of the last committed step, one per point; empty before the first.
+  const std::vector<fem::Deformation> &last_deformations() const
   {
-    const double result = evaluations_;
-    evaluations_ = 0;
-    return result;
+    return committed_;
   }
 
 private:
   fem::MaterialPoints &points_;
-  const coupling::UnitCellPoints *cells_;
-  double evaluations_ = 0;
+  std::vector<fem::Deformation> trial_, committed_;
 };
 } // namespace tamp::apps
 
