@@ -132,9 +132,7 @@ private:
                     [this](unsigned stage) { begin(stage); },
                     observe,
                     session_.input().stress_tolerance)
-              : fem::drive_gradients(*material_.points,
-                                     read_gradients(path_.gradients),
-                                     observe);
+              : replay(observe);
       if (end == fem::PathEnd::finished)
         return {};
     } catch (const Interrupted &) {
@@ -148,6 +146,16 @@ private:
                         strain_,
                         axial_ / 1e6,
                         lateral_ / 1e6)};
+  }
+
+  fem::PathEnd
+  replay(const std::function<void(const fem::PathRecord &)> &observe)
+  {
+    const GradientPath path = read_gradients(path_.gradients);
+    return path.relative ? fem::drive_increments(
+                               *material_.points, path.gradients, observe)
+                         : fem::drive_gradients(
+                               *material_.points, path.gradients, observe);
   }
 
   // A stage that ends at a share of the peak learns here what the peak is.

@@ -5,8 +5,12 @@
 #include <deal.II/base/tensor.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <fmt/format.h>
 #include <fstream>
+#include <optional>
+#include <sstream>
 
 namespace tamp::apps
 {
@@ -209,38 +213,101 @@ ProbePath parse_path(const std::string &stages,
   return path;
 }
 
-std::vector<dealii::Tensor<2, 3>>
-read_gradients(const std::filesystem::path &file)
+namespace
+{
+// Which columns of a CSV file hold the nine components, and of what.
+struct GradientColumns {
+  std::array<std::size_t, 9> place{0, 1, 2, 3, 4, 5, 6, 7, 8};
+  std::size_t count = 9;
+  bool relative = false;
+};
+
+std::vector<std::string> cells_of(const std::string &line)
+{
+  std::vector<std::string> cells;
+  std::istringstream in(line);
+  for (std::string cell; std::getline(in, cell, ',');)
+    cells.emplace_back(trimmed(cell));
+  return cells;
+}
+
+// None if a component is missing.
+std::optional<GradientColumns> columns_of(const std::vector<std::string> &names)
+{
+  for (const std::string prefix : {"relative_F_", "F_"}) {
+    GradientColumns columns{.count = names.size(), .relative = prefix != "F_"};
+    unsigned found = 0;
+    for (unsigned i = 0; i < 9; ++i) {
+      const std::string name =
+          prefix + "xyz"[i / 3] + "xyz"[i % 3] + std::string("[-]");
+      const auto place = std::ranges::find(names, name);
+      if (place != names.end()) {
+        columns.place[i] =
+            static_cast<std::size_t>(std::distance(names.begin(), place));
+        ++found;
+      }
+    }
+    if (found == 9)
+      return columns;
+  }
+  return {};
+}
+
+// None if the line is not what the columns promise.
+std::optional<dealii::Tensor<2, 3>>
+gradient_of(const std::vector<std::string> &cells,
+            const GradientColumns &columns)
+{
+  if (cells.size() != columns.count)
+    return {};
+  dealii::Tensor<2, 3> F;
+  for (unsigned i = 0; i < 9; ++i) {
+    const std::string &cell = cells[columns.place[i]];
+    const auto [end, error] = std::from_chars(
+        cell.data(), cell.data() + cell.size(), F[i / 3][i % 3]);
+    if (error != std::errc() || end != cell.data() + cell.size())
+      return {};
+  }
+  if (!(determinant(F) > 0))
+    return {};
+  return F;
+}
+} // namespace
+
+GradientPath read_gradients(const std::filesystem::path &file)
 {
   std::ifstream in(file);
   if (!std::filesystem::is_regular_file(file) || !in)
     throw InputError(
         fmt::format("the file '{}' with the deformation gradients is missing",
                     file.string()));
-  std::vector<dealii::Tensor<2, 3>> gradients;
+  GradientPath path;
+  GradientColumns columns;
   std::string line;
   for (unsigned number = 1; std::getline(in, line); ++number) {
-    std::ranges::replace(line, ',', ' ');
-    const std::string_view text = trimmed(line);
-    const bool header =
-        gradients.empty() && text.find("F_") != std::string_view::npos;
-    if (text.empty() || text.front() == '#' || header)
+    const std::string text(trimmed(line));
+    if (text.empty() || text.front() == '#')
       continue;
-    dealii::Tensor<2, 3> F;
-    std::istringstream numbers(line);
-    for (unsigned i = 0; i < 9; ++i)
-      numbers >> F[i / 3][i % 3];
-    std::string more;
-    if (!numbers || numbers >> more || !(determinant(F) > 0))
-      throw InputError(fmt::format("{}:{}: '{}': expected nine numbers F_xx, "
-                                   "F_xy ... F_zz with det F > 0",
-                                   file.string(),
-                                   number,
-                                   text));
-    gradients.push_back(F);
+    const auto refuse = [&](const char *expected) {
+      throw InputError(fmt::format(
+          "{}:{}: '{}': expected {}", file.string(), number, text, expected));
+    };
+    const std::vector<std::string> cells = cells_of(text);
+    if (path.gradients.empty() && text.find("F_") != std::string::npos) {
+      const auto named = columns_of(cells);
+      if (!named)
+        refuse("columns F_xx[-], F_xy[-] ... F_zz[-] or relative_F_xx[-] ...");
+      columns = *named;
+      continue;
+    }
+    const auto F = gradient_of(cells, columns);
+    if (!F)
+      refuse("nine numbers F_xx, F_xy ... F_zz with det F > 0");
+    path.gradients.push_back(*F);
   }
-  if (gradients.empty())
+  if (path.gradients.empty())
     throw InputError(file.string() + ": there is no deformation gradient");
-  return gradients;
+  path.relative = columns.relative;
+  return path;
 }
 } // namespace tamp::apps

@@ -45,11 +45,17 @@ struct ProbeIncrements {
 ProbePath parse_path(const std::string &stages,
                      const ProbeIncrements &increments);
 
-/// Reads nine numbers a line, F_xx F_xy F_xz F_yx ... F_zz, divided by commas;
-/// a header line and lines that start with # are skipped. Throws InputError
-/// naming file and line.
-std::vector<dealii::Tensor<2, 3>>
-read_gradients(const std::filesystem::path &file);
+/// A path of deformation gradients.
+struct GradientPath {
+  std::vector<dealii::Tensor<2, 3>> gradients;
+  bool relative = false; ///< each since the one before, not since the start
+};
+
+/// Reads a CSV file with columns F_xx[-], F_xy[-] ... F_zz[-], or
+/// relative_F_xx[-] ... such as a die writes of its points, among others;
+/// without a header nine numbers a line. Lines that start with # are skipped.
+/// Throws InputError naming file and line.
+GradientPath read_gradients(const std::filesystem::path &file);
 } // namespace tamp::apps
 
 #endif

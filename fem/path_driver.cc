@@ -124,6 +124,7 @@ struct Goal {
   Six strain{};                  ///< of the components under strain control
   Six stress{};                  ///< of the free components
   double tolerance = 0;          ///< relative to the largest stress
+  double stress_scale = 0;       ///< the largest stress is at least this [Pa]
   double largest_correction = 0; ///< of a strain component in an iteration
 };
 
@@ -207,10 +208,8 @@ private:
 
   double scale() const
   {
-    double result = largest(components(probe_.response().stress));
-    for (const unsigned i : goal_.free)
-      result = std::max(result, std::abs(goal_.stress[i]));
-    return result;
+    const double now = largest(components(probe_.response().stress));
+    return std::max(now, goal_.stress_scale);
   }
 
   static double norm(const std::vector<double> &values)
@@ -312,19 +311,23 @@ public:
     begin(stage, index);
     if (stage.has_until && beyond(stress_))
       return true;
-    double place = 0, step = nominal_;
-    for (unsigned cuts = 0; place < 1;) {
+    constexpr double most_cuts = 256, smallest_step = 1e-9;
+    const double longest = nominal_;
+    for (double place = 0, step = nominal_; place < 1;) {
       if (place + 1.001 * step >= 1)
         step = 1 - place;
       if (!attempt(place + step, step)) {
-        if (++cuts > 8)
-          return false;
         step /= 2;
+        if (step < 0.999 * std::min(nominal_, 1 - place) / most_cuts)
+          return false;
         continue;
       }
-      const double size = largest(difference(trial_strain_, strain_));
-      if (size > 1.5 * stage.maximum_increment) {
-        step *= std::max(0.1, 0.9 * stage.maximum_increment / size);
+      const double size =
+          largest(difference(trial_strain_, strain_)) / stage.maximum_increment;
+      if (size > 1.5) { // the stress asks for more strain than expected
+        nominal_ = step = step * std::max(0.1, 0.9 / size);
+        if (nominal_ < smallest_step)
+          return false;
         continue;
       }
       if (stage.has_until && beyond(trial_stress_)) {
@@ -335,8 +338,9 @@ public:
       }
       accept(step);
       place = step >= 1 - place ? 1 : place + step;
+      if (size < 0.5)
+        nominal_ = std::min(longest, 1.5 * nominal_);
       step = std::min(nominal_, 2 * step);
-      cuts = 0;
     }
     return true;
   }
@@ -361,6 +365,10 @@ private:
         end_strain_[i] =
             target.value + (target.relative ? begin_strain_[i] : 0);
     }
+    goal_.stress_scale = largest(begin_stress_);
+    for (const unsigned i : goal_.free)
+      goal_.stress_scale =
+          std::max(goal_.stress_scale, std::abs(end_stress_[i]));
     const double way = largest(difference(end_strain_, begin_strain_));
     nominal_ = 1 / std::max({1.,
                              1. * stage.minimum_steps,
@@ -475,16 +483,41 @@ PathEnd drive_gradients(MaterialPoints &points,
                         const std::vector<Tensor<2, 3>> &gradients,
                         const std::function<void(const PathRecord &)> &observe)
 {
-  Probe probe(points);
-  PathRecord record{0, 0, probe.F(), probe.evaluate(probe.F(), Want::stress)};
+  std::vector<Tensor<2, 3>> increments;
+  Tensor<2, 3> before = dealii::unit_symmetric_tensor<3>();
+  for (const Tensor<2, 3> &F : gradients) {
+    increments.push_back(increment(F, before));
+    before = F;
+  }
+  return drive_increments(points, increments, observe);
+}
+
+PathEnd drive_increments(MaterialPoints &points,
+                         const std::vector<Tensor<2, 3>> &increments,
+                         const std::function<void(const PathRecord &)> &observe)
+{
+  std::vector<Deformation> deformation(points.size());
+  std::vector<Response> response(points.size());
+  const auto evaluate = [&](const Tensor<2, 3> &relative_F) {
+    std::ranges::fill(deformation, Deformation{relative_F});
+    points.begin_attempt();
+    points.evaluate(deformation, Want::stress, response);
+    return response[0].status != Status::failed;
+  };
+  PathRecord record;
+  record.F = dealii::unit_symmetric_tensor<3>();
+  if (!evaluate(record.F))
+    return PathEnd::not_converged;
+  record.response = response[0];
   if (observe)
     observe(record);
-  for (const Tensor<2, 3> &F : gradients) {
-    probe.begin_attempt();
-    if (probe.evaluate(F, Want::stress).status == Status::failed)
+  for (const Tensor<2, 3> &relative_F : increments) {
+    if (!evaluate(relative_F))
       return PathEnd::not_converged;
-    probe.commit();
-    record = {record.step + 1, 0, F, probe.response()};
+    points.commit();
+    ++record.step;
+    record.F = relative_F * record.F;
+    record.response = response[0];
     if (observe)
       observe(record);
   }

@@ -22,8 +22,10 @@ struct ComponentTarget {
 };
 
 /// A part of a path, driven in equal increments of at most `maximum_increment`
-/// strain. Symmetric stretches; components under stress control are found by
-/// iteration.
+/// strain (of at most 1.5 times that where the strain follows from stress).
+/// Symmetric stretches; components under stress control are found by
+/// iteration. Shear components are those of the tensors: half the engineering
+/// shear. An increment that does not converge is halved, at most 8 times.
 struct PathStage {
   std::string name;
   std::array<ComponentTarget, 6> components;
@@ -31,7 +33,9 @@ struct PathStage {
   unsigned minimum_steps = 1;
   /// Ends the stage early once the stress of component `until_component`
   /// (tension positive) rises above (until_above) or falls below this value;
-  /// the last increment is refined to hit it within 1 %.
+  /// the last increment is refined to hit it within 1 % (of the largest stress
+  /// at the start of the stage, if this value is zero). A stage whose condition
+  /// holds at its start takes no increment.
   bool has_until = false;
   unsigned until_component = 2;
   double until_stress = 0;
@@ -48,10 +52,13 @@ struct PathRecord {
 
 enum class PathEnd { finished, not_converged };
 
-/// Takes point 0 of `points` along stages; calls `observe` after the start state
-/// (step 0) and after each committed increment. `stage_begins` is called before
-/// each stage with its index. Stress control converges to `stress_tolerance`
-/// times the largest stress.
+/// Takes point 0 of `points` along stages; calls `observe` after the start
+/// state (step 0) and after each committed increment. `stage_begins` is called
+/// before each stage with its index. Stress control converges to
+/// `stress_tolerance` times the largest stress: of the trial, of the start and
+/// of the targets of the stage. Strains count from the state that the point has
+/// at the call; a point that is doubtful is taken as it is. Either function may
+/// be empty. After `not_converged` the point is in the last observed state.
 [[nodiscard]] PathEnd
 drive_path(MaterialPoints &points,
            const std::vector<PathStage> &stages,
@@ -60,11 +67,19 @@ drive_path(MaterialPoints &points,
            double stress_tolerance = 1e-3);
 
 /// Takes point 0 along given deformation gradients F since the start, one
-/// committed increment each.
+/// committed increment each. After `not_converged` it is in the last observed
+/// state.
 [[nodiscard]] PathEnd
 drive_gradients(MaterialPoints &points,
                 const std::vector<dealii::Tensor<2, 3>> &gradients,
                 const std::function<void(const PathRecord &)> &observe);
+
+/// Takes point 0 along given increments F_new F_old^-1, one commit each: what a
+/// die told one of its points is replayed to the last bit.
+[[nodiscard]] PathEnd
+drive_increments(MaterialPoints &points,
+                 const std::vector<dealii::Tensor<2, 3>> &increments,
+                 const std::function<void(const PathRecord &)> &observe);
 } // namespace tamp::fem
 
 #endif

@@ -211,7 +211,7 @@ private:
     if (on_cap)
       return Surface::cap;
     const auto s = surface(unknowns[0]);
-    if (unknowns[1] <= 1e-9 * s.top())
+    if (unknowns[1] <= 1e-6 * s.top())
       return Surface::apex;
     return s.transition > 0 && p(unknowns[0]) > s.transition_begin()
                ? Surface::transition

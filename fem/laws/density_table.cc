@@ -86,4 +86,9 @@ double DensityTable::largest() const
 {
   return *std::max_element(rows_.y.begin(), rows_.y.end());
 }
+
+bool DensityTable::is_increasing() const
+{
+  return std::is_sorted(rows_.y.begin(), rows_.y.end());
+}
 } // namespace tamp::fem

@@ -50,6 +50,8 @@ public:
 
   double smallest() const; ///< over the rows [unit of y]
   double largest() const;  ///< over the rows [unit of y]
+  /// No value is below that of the row before.
+  bool is_increasing() const;
 
 private:
   TableRows rows_;

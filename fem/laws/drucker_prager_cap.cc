@@ -296,6 +296,10 @@ void DruckerPragerCapParameters::check() const
          "hydrostatic yield pressure [Pa]",
          hardening.smallest(),
          "above 0");
+  expect(hardening.is_increasing(),
+         "hydrostatic yield pressure [Pa], from",
+         hardening.smallest(),
+         "a table that does not decrease");
   expect(reference_density > 0 && reference_density < 1,
          "reference density [-]",
          reference_density,

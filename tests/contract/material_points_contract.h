@@ -6,10 +6,9 @@
 
 #include <deal.II/base/tensor.h>
 
-#include <gtest/gtest.h>
-
 #include <cmath>
 #include <cstring>
+#include <gtest/gtest.h>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -153,8 +152,7 @@ TYPED_TEST_P(MaterialPointsContract, EqualPointsAnswerEqually)
   using Traits = ContractTraits<TypeParam>;
   auto points = this->loaded();
   ASSERT_GE(points->size(), 3u);
-  const std::vector<Deformation> deformations(points->size(),
-                                              {Traits::next()});
+  const std::vector<Deformation> deformations(points->size(), {Traits::next()});
   std::vector<Response> responses(points->size());
   points->begin_attempt();
   points->evaluate(deformations, Want::stress, responses);
@@ -258,9 +256,8 @@ TYPED_TEST_P(MaterialPointsContract, GarbageIsRefusedAndChangesNothing)
   points->pack(0, after);
   EXPECT_EQ(good, after);
   auto fresh = this->loaded();
-  EXPECT_TRUE(
-      this->same_bits(this->evaluate(*points, Traits::next()).stress,
-                      this->evaluate(*fresh, Traits::next()).stress));
+  EXPECT_TRUE(this->same_bits(this->evaluate(*points, Traits::next()).stress,
+                              this->evaluate(*fresh, Traits::next()).stress));
 }
 
 TYPED_TEST_P(MaterialPointsContract, RotationTurnsTheStress)
@@ -270,8 +267,7 @@ TYPED_TEST_P(MaterialPointsContract, RotationTurnsTheStress)
   auto points = this->loaded(), turned = this->loaded();
   const auto plain = this->evaluate(*points, Traits::next());
   const auto answer = this->evaluate(*turned, Q * Traits::next());
-  const double tolerance =
-      Traits::rotation_tolerance() * plain.stress.norm();
+  const double tolerance = Traits::rotation_tolerance() * plain.stress.norm();
   const auto expected = [&Q](const auto &stress) {
     return symmetrize(Q * dealii::Tensor<2, 3>(stress) * transpose(Q));
   };
@@ -292,8 +288,7 @@ TYPED_TEST_P(MaterialPointsContract, TangentDescribesTheStress)
   using Traits = ContractTraits<TypeParam>;
   auto points = this->loaded();
   const auto F = Traits::next();
-  const auto answer =
-      this->evaluate(*points, F, Want::stress_and_tangent);
+  const auto answer = this->evaluate(*points, F, Want::stress_and_tangent);
   const double size = answer.tangent.norm();
   ASSERT_TRUE(std::isfinite(size));
   ASSERT_GT(size, 0);

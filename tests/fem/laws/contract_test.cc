@@ -33,7 +33,8 @@ std::unique_ptr<MaterialPoints> cap_points(const double transition)
 }
 } // namespace
 
-struct PorousElastic {};
+struct PorousElastic {
+};
 template <>
 struct ContractTraits<PorousElastic> : ContractDefaults {
   static std::unique_ptr<MaterialPoints> make()
@@ -50,7 +51,8 @@ struct ContractTraits<PorousElastic> : ContractDefaults {
   }
 };
 
-struct OnCap {};
+struct OnCap {
+};
 template <>
 struct ContractTraits<OnCap> : ContractDefaults {
   static std::unique_ptr<MaterialPoints> make() { return cap_points(0); }
@@ -61,7 +63,8 @@ struct ContractTraits<OnCap> : ContractDefaults {
   }
 };
 
-struct OnCapInParts : OnCap {};
+struct OnCapInParts : OnCap {
+};
 template <>
 struct ContractTraits<OnCapInParts> : ContractTraits<OnCap> {
   static dealii::Tensor<2, 3> next()
@@ -70,7 +73,8 @@ struct ContractTraits<OnCapInParts> : ContractTraits<OnCap> {
   }
 };
 
-struct OnShear {};
+struct OnShear {
+};
 template <>
 struct ContractTraits<OnShear> : ContractTraits<OnCap> {
   static dealii::Tensor<2, 3> next()
@@ -79,7 +83,8 @@ struct ContractTraits<OnShear> : ContractTraits<OnCap> {
   }
 };
 
-struct OnTransition {};
+struct OnTransition {
+};
 template <>
 struct ContractTraits<OnTransition> : ContractTraits<OnCap> {
   static std::unique_ptr<MaterialPoints> make() { return cap_points(0.03); }
@@ -89,20 +94,23 @@ struct ContractTraits<OnTransition> : ContractTraits<OnCap> {
   }
 };
 
-struct OnApex {};
+struct OnApex {
+};
 template <>
 struct ContractTraits<OnApex> : ContractTraits<OnCap> {
+  /// The cone has an edge at q = 0: differences err by h |h|.
+  static double probe_strain() { return 1e-8; }
+  static std::vector<dealii::Tensor<2, 3>> path()
+  {
+    return std::vector<dealii::Tensor<2, 3>>(5, next());
+  }
   static dealii::Tensor<2, 3> next()
   {
-    return gradient({3e-2, 1e-4, 0, 0, 3e-2, 0, 0, 0, 3e-2});
+    return gradient({5e-3, 0, 0, 0, 5e-3, 0, 0, 0, 5e-3});
   }
 };
 
-using Laws = testing::Types<PorousElastic,
-                            OnCap,
-                            OnCapInParts,
-                            OnShear,
-                            OnTransition,
-                            OnApex>;
+using Laws = testing::
+    Types<PorousElastic, OnCap, OnCapInParts, OnShear, OnTransition, OnApex>;
 INSTANTIATE_TYPED_TEST_SUITE_P(Continua, MaterialPointsContract, Laws);
 } // namespace tamp::fem::contract
