@@ -5,11 +5,10 @@
 #include <dem/laws/mindlin.h>
 #include <dem/laws/thornton_ning.h>
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <gtest/gtest.h>
 #include <numbers>
 
 namespace tamp::dem
@@ -26,8 +25,7 @@ struct Impact {
 /// Integrates m* delta'' = -N by velocity Verlet, with a step that follows the
 /// stiffness of the contact.
 template <class Law>
-Impact
-collide(const Law &law, double reduced_radius, double mass, double speed)
+Impact collide(const Law &law, double reduced_radius, double mass, double speed)
 {
   constexpr double step_share = 2e-3; // of 1 / frequency; errors go with the
                                       // square of it
@@ -88,9 +86,9 @@ TEST(HertzImpact, AgreesWithClosedFormAndChungAndOoi)
     EXPECT_NEAR(found.largest_overlap, c.overlap, tolerance * c.overlap);
     EXPECT_NEAR(found.duration, c.duration, tolerance * c.duration);
     EXPECT_NEAR(found.rebound, 1, 1e-4); // elastic; error of the integration
-    const double overlap = std::pow(
-        15 * mass * c.speed * c.speed / (16 * modulus * std::sqrt(radius)),
-        0.4);
+    const double overlap = std::pow(15 * mass * c.speed * c.speed /
+                                        (16 * modulus * std::sqrt(radius)),
+                                    0.4);
     EXPECT_NEAR(found.largest_overlap, overlap, 1e-4 * overlap);
   }
 }
@@ -167,12 +165,10 @@ TEST(ThorntonNingImpact, RestitutionAgreesWithClosedFormAndTable)
     const double a = law(top, radius, largest).contact_radius;
     const double b = law(low, radius, largest).contact_radius;
     const double unloading_radius = (a * a - b * b) / (top - low);
-    EXPECT_NEAR(unloading_radius / radius,
-                c.radius_ratio,
-                tolerance * c.radius_ratio);
-    EXPECT_NEAR(1 - a * a / unloading_radius / top,
-                c.permanent_share,
-                tolerance);
+    EXPECT_NEAR(
+        unloading_radius / radius, c.radius_ratio, tolerance * c.radius_ratio);
+    EXPECT_NEAR(
+        1 - a * a / unloading_radius / top, c.permanent_share, tolerance);
   }
 }
 
@@ -265,9 +261,9 @@ TEST_F(YieldingPair, EnergyIsWorkOfForceAlongLoadingAndUnloading)
   double largest = 0, work = 0;
   const auto travel = [&](double from, double to) {
     for (int k = 0; k < parts; ++k)
-      work += law(from + (k + 0.5) / parts * (to - from), radius, largest)
-                  .force *
-              (to - from) / parts;
+      work +=
+          law(from + (k + 0.5) / parts * (to - from), radius, largest).force *
+          (to - from) / parts;
   };
   const auto kept = [&](double overlap) {
     const NormalEnergy energy = law.energy(overlap, radius, largest);

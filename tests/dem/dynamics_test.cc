@@ -4,10 +4,8 @@
 #include <dem/stretch.h>
 #include <tests/dem/sample_cells.h>
 
-#include <gtest/gtest.h>
-
 #include <cmath>
-#include <cstdio>
+#include <gtest/gtest.h>
 #include <numbers>
 
 namespace tamp::dem
@@ -127,14 +125,15 @@ TEST(Dynamics, WorkIsStoredDissipatedOrKinetic)
     const double stored = measure(cell).elastic_energy;
     compress(cell, -0.02, 400, driving);
     const EnergyAccount &spent = cell.energy;
-    const double kept = measure(cell).elastic_energy - stored +
-                        measure_dynamics(cell, driving.dynamics, 1)
-                            .kinetic_energy;
-    const double lost = spent.plastic_dissipation +
-                        spent.friction_dissipation + spent.damping_dissipation;
-    std::printf("DYNLEDGER rate %g closes %g damping %g\n", rate, (kept+lost)/spent.work-1, spent.damping_dissipation/spent.work);
+    const double kept =
+        measure(cell).elastic_energy - stored +
+        measure_dynamics(cell, driving.dynamics, 1).kinetic_energy;
+    const double lost = spent.plastic_dissipation + spent.friction_dissipation +
+                        spent.damping_dissipation;
     EXPECT_GT(spent.damping_dissipation, 0);
-    EXPECT_NEAR(kept + lost, spent.work, 0.01 * spent.work);
+    EXPECT_NEAR(kept + lost,
+                spent.work,
+                0.01 * spent.work); // trapezoids of the work, time step
   }
 }
 
@@ -144,9 +143,11 @@ TEST(Dynamics, SlowerDrivingChangesLess)
     UnitCell cell = alumina_cell();
     return compress(cell, -0.01, 1, driven(rate)).stress;
   };
-  const Matrix3 fast = stress(1.6e-2), slow = stress(4e-4), slower = stress(1e-5);
-  std::printf("RATES %g %g\n", (fast-slow).norm()/slower.norm(), (slow-slower).norm()/slower.norm());
+  const Matrix3 fast = stress(1.6e-2), slow = stress(4e-4),
+                slower = stress(1e-5);
   EXPECT_LT((slow - slower).norm(), 0.5 * (fast - slow).norm());
+  // Where rates are slow they no longer matter: to the scatter of dynamics.
+  EXPECT_LT((slow - slower).norm(), 0.05 * slower.norm());
 }
 
 TEST(Dynamics, WildStretchDiverges)

@@ -2,10 +2,9 @@
 #include <dem/grain_sizes.h>
 #include <tests/dem/sample_cells.h>
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
+#include <gtest/gtest.h>
 #include <numeric>
 #include <stdexcept>
 
@@ -55,7 +54,7 @@ TEST(GrainSizes, NormalHasItsMeanAndDeviation)
 {
   const auto [mean, deviation] =
       moments(draw_radii(wide(SizeDistribution::normal), 2000, 1));
-  EXPECT_NEAR(mean, 200e-6, 1e-10); // symmetric: bisection only
+  EXPECT_NEAR(mean, 200e-6, 1e-10);             // symmetric: bisection only
   EXPECT_NEAR(deviation, 30e-6, 0.005 * 30e-6); // tails of the quantiles
 }
 
@@ -108,8 +107,7 @@ TEST(GrainSizes, OrderKnowsNothingOfSize)
 TEST(GrainSizes, RefusalsNameTheValue)
 {
   const auto refusal = [](const GrainSizes &sizes) {
-    return message_of<std::invalid_argument>(
-        [&] { draw_radii(sizes, 10, 1); });
+    return message_of<std::invalid_argument>([&] { draw_radii(sizes, 10, 1); });
   };
   GrainSizes sizes = wide(SizeDistribution::normal);
   sizes.mean_diameter = 400e-6;

@@ -4,10 +4,10 @@
 #include <dem/stretch.h>
 #include <tests/dem/sample_cells.h>
 
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <cmath>
+#include <gtest/gtest.h>
+#include <limits>
 #include <stdexcept>
 
 namespace tamp::dem
@@ -60,8 +60,7 @@ double nearest(const PeriodicBox &box, Vector3 difference)
   for (int x = -2; x <= 1; ++x)
     for (int y = -2; y <= 1; ++y)
       for (int z = -2; z <= 1; ++z)
-        best = std::min(best,
-                        (box.h * (difference + Vector3(x, y, z))).norm());
+        best = std::min(best, (box.h * (difference + Vector3(x, y, z))).norm());
   return best;
 }
 
@@ -85,7 +84,7 @@ TEST(Neighbours, GridFindsWhatTryingAllPairsFinds)
       const Sample s = random_sample(seed, 80, widths);
       const Neighbours found =
           find_neighbours(s.box, s.place, s.radius, s.skin);
-      EXPECT_EQ(found.pairs, brute_force(s, s.skin));
+      EXPECT_TRUE(found.pairs == brute_force(s, s.skin));
     }
 }
 
@@ -93,8 +92,8 @@ TEST(Neighbours, NearPairsAreThoseBelowTheGap)
 {
   const Sample s = random_sample(7, 150, 3.3);
   const Neighbours found = find_neighbours(s.box, s.place, s.radius, s.skin);
-  EXPECT_EQ(near_pairs(found, s.box, s.place, s.radius, 0.06),
-            brute_force(s, 0.06));
+  EXPECT_TRUE(near_pairs(found, s.box, s.place, s.radius, 0.06) ==
+              brute_force(s, 0.06));
 }
 
 /// Whether every pair below the gap is listed.
@@ -148,21 +147,21 @@ TEST(Neighbours, TooNarrowBoxIsRefused)
   EXPECT_NE(message.find("use more grains"), std::string::npos) << message;
 }
 
-TEST(Neighbours, WhateverBoxIsAcceptedIsComplete)
+TEST(Neighbours, WhateverBoxIsAcceptedMissesNoPair)
 {
-  // Around the narrowest box: either refused, or no pair is missed.
-  int accepted = 0;
+  int accepted = 0, refused = 0;
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
-    const Sample s = random_sample(seed, 80, 1.80 + 0.001 * double(seed));
+    const Sample s = random_sample(seed, 80, 1.9 + 0.001 * double(seed));
     try {
-      const Neighbours list =
-          find_neighbours(s.box, s.place, s.radius, s.skin);
-      EXPECT_EQ(list.pairs, brute_force(s, s.skin)) << "seed " << seed;
+      const Neighbours list = find_neighbours(s.box, s.place, s.radius, s.skin);
+      EXPECT_TRUE(list.pairs == brute_force(s, s.skin)) << "seed " << seed;
       ++accepted;
     } catch (const std::runtime_error &) {
+      ++refused;
     }
   }
-  (void)accepted;
+  EXPECT_GT(accepted, 50); // the samples lie on both sides of the limit
+  EXPECT_GT(refused, 50);
 }
 } // namespace
 } // namespace tamp::dem

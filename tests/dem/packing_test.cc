@@ -5,9 +5,8 @@
 #include <dem/unit_cell.h>
 #include <tests/dem/sample_cells.h>
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+#include <gtest/gtest.h>
 #include <stdexcept>
 
 namespace tamp::dem

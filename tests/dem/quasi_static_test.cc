@@ -4,10 +4,8 @@
 #include <dem/stretch.h>
 #include <tests/dem/sample_cells.h>
 
-#include <gtest/gtest.h>
-
 #include <cmath>
-#include <cstdio>
+#include <gtest/gtest.h>
 #include <stdexcept>
 
 namespace tamp::dem
@@ -86,26 +84,22 @@ TEST(QuasiStatic, TwoHalvesAreNearlyTheWhole)
   const CellAnswer one = compress(whole, -5e-3, 1, {});
   const CellAnswer two = compress(halves, -5e-3, 2, {});
   EXPECT_EQ(one.outcome, Outcome::settled);
-  EXPECT_LT(difference(one.stress, two.stress), 0.01); // roughness of the map
-  std::printf("HALVES %g\n", difference(one.stress, two.stress));
+  EXPECT_LT(difference(one.stress, two.stress), 0.005); // roughness of the map
 }
 
 TEST(QuasiStatic, SmallElasticCycleReturns)
 {
   // Smooth elastic grains have no memory: stress is a function of the box.
-  UnitCell cell = jammed_cell();
-  cell.contact.normal_law = NormalLaw::hertz;
-  cell.contact.tangential_law = TangentialLaw::none;
-  const Driving driving = tight(1e-8);
+  UnitCell cell = test::smooth_elastic_cell();
+  const Driving driving = tight(1e-7);
   const Stretch stretch = oblique_stretch(1e-5);
-  const CellAnswer before = compress(cell, -5e-3, 1, driving);
-  ASSERT_EQ(before.outcome, Outcome::settled);
+  const CellAnswer before = compress(cell, -5e-3, 2, driving);
   const CellAnswer there = deform(cell, stretch, driving);
   const CellAnswer back = deform(cell, stretch.inverse(), driving);
+  ASSERT_EQ(back.outcome, Outcome::settled);
   const double travelled = (there.stress - before.stress).norm();
-  std::printf("CYCLE %g %g\n", (back.stress - before.stress).norm()/travelled, travelled/before.stress.norm());
-  EXPECT_GT(travelled, 1e-5 * before.stress.norm());
-  // Unbalance over the relative change of stress.
+  EXPECT_GT(travelled, 1e-4 * before.stress.norm());
+  // The unbalance, over the relative change of stress of about 1e-3.
   EXPECT_LT((back.stress - before.stress).norm(), 1e-3 * travelled);
 }
 
@@ -117,7 +111,6 @@ TEST(QuasiStatic, WorkIsStoredOrDissipated)
   EXPECT_EQ(answer.outcome, Outcome::settled);
   const EnergyAccount &spent = cell.energy;
   const double gained = measure(cell).elastic_energy - stored;
-  std::printf("LEDGER %g gained %g plastic %g friction %g\n", (gained + spent.plastic_dissipation + spent.friction_dissipation)/spent.work, gained/spent.work, spent.plastic_dissipation/spent.work, spent.friction_dissipation/spent.work);
   EXPECT_GT(spent.plastic_dissipation, 0);
   EXPECT_GT(spent.friction_dissipation, 0);
   EXPECT_EQ(spent.damping_dissipation, 0);
@@ -133,7 +126,6 @@ TEST(QuasiStatic, EquilibriumKeepsWorkAndMomentOfMomentum)
     const CellAnswer answer = compress(cell, -2e-3, 1, tight(tolerance));
     EXPECT_EQ(answer.outcome, Outcome::settled);
     EXPECT_LE(answer.unbalance, tolerance);
-    std::printf("HM %g asym %g at %g\n", answer.hill_mandel, measure(cell).asymmetry, tolerance);
     EXPECT_LT(answer.hill_mandel, tolerance);
     EXPECT_LT(measure(cell).asymmetry, tolerance);
   }
@@ -149,10 +141,9 @@ TEST(QuasiStatic, WarmGuessGivesTheSameStressSooner)
   UnitCell warm = committed, cold = committed;
   const CellAnswer fast = deform(warm, uniaxial(-2.05e-3), {}, &guess);
   const CellAnswer slow = deform(cold, uniaxial(-2.05e-3), {});
-  std::printf("WARM %g %zu %zu\n", difference(fast.stress, slow.stress), fast.evaluations, slow.evaluations);
   EXPECT_EQ(fast.outcome, Outcome::settled);
   EXPECT_LT(fast.evaluations, slow.evaluations);
-  EXPECT_LT(difference(fast.stress, slow.stress), 0.01);
+  EXPECT_LT(difference(fast.stress, slow.stress), 0.005); // as above
 }
 
 TEST(QuasiStatic, EmptyGuessIsNoGuess)
@@ -211,10 +202,9 @@ TEST(QuasiStatic, AgreesWithSlowDynamics)
   const CellAnswer map = compress(quick, -0.05, 25, {});
   Driving driving;
   driving.method = Method::dynamics;
-  driving.dynamics.strain_rate = 1e-5;
-  driving.dynamics.density_scaling = 1e12;
+  driving.dynamics.strain_rate = 2e-5;
   const CellAnswer reference = compress(slow, -0.05, 5, driving);
-  std::printf("DYN %g steps %zu unb %g  szz %g %g\n", difference(map.stress, reference.stress), reference.evaluations, reference.unbalance, map.stress(1,1), reference.stress(1,1));
+  // Rearrangements that come sooner or later, unbalance of both.
   EXPECT_LT(difference(map.stress, reference.stress), 0.01);
 }
 
@@ -234,12 +224,10 @@ TEST(Driving, RefusalsNameTheValue)
             std::string::npos);
   driving = {};
   driving.dynamics.time_step_fraction = 2;
-  EXPECT_NE(refusal(driving).find("time step fraction = 2"),
-            std::string::npos);
+  EXPECT_NE(refusal(driving).find("time step fraction = 2"), std::string::npos);
   driving = {};
   driving.dynamics.global_damping = -0.5;
-  EXPECT_NE(refusal(driving).find("global damping = -0.5"),
-            std::string::npos);
+  EXPECT_NE(refusal(driving).find("global damping = -0.5"), std::string::npos);
 }
 } // namespace
 } // namespace tamp::dem

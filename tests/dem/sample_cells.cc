@@ -42,6 +42,16 @@ const UnitCell &alumina_cell()
   return cell;
 }
 
+const UnitCell &smooth_elastic_cell()
+{
+  static const UnitCell cell = [] {
+    PackingRequest request = alumina_request();
+    request.contact = {NormalLaw::hertz, TangentialLaw::none, 0, 0};
+    return make_packing(request);
+  }();
+  return cell;
+}
+
 PackingRequest table_one_request(std::uint64_t seed)
 {
   PackingRequest request;
@@ -114,10 +124,8 @@ Stretch uniaxial(double log_strain)
   return stretch;
 }
 
-CellAnswer compress(UnitCell &cell,
-                    double log_strain,
-                    int parts,
-                    const Driving &driving)
+CellAnswer
+compress(UnitCell &cell, double log_strain, int parts, const Driving &driving)
 {
   CellAnswer answer;
   Outcome worst = Outcome::settled;

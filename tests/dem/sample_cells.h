@@ -18,6 +18,9 @@ PackingRequest alumina_request();
 /// The packing of alumina_request(), made once.
 const UnitCell &alumina_cell();
 
+/// The same grains without friction and plasticity, made once.
+const UnitCell &smooth_elastic_cell();
+
 /// Table I of Sheng et al. (2004) with E = 70 GPa: 1000 grains of 136-264 um,
 /// mu .3, p_y 0.5 GPa, packed at 100 kPa.
 PackingRequest table_one_request(std::uint64_t seed);
@@ -38,10 +41,8 @@ Stretch uniaxial(double log_strain);
 
 /// Takes the cell along equal parts of a uniaxial path; the last answer, with
 /// the evaluations of all parts, and the worst outcome of the parts.
-CellAnswer compress(UnitCell &cell,
-                    double log_strain,
-                    int parts,
-                    const Driving &driving);
+CellAnswer
+compress(UnitCell &cell, double log_strain, int parts, const Driving &driving);
 
 /// The message of the exception that `call` throws; "" if it throws none.
 template <class Exception, class Call>

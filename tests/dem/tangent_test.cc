@@ -6,10 +6,10 @@
 #include <tests/dem/sample_cells.h>
 
 #include <Eigen/Eigenvalues>
-#include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
+#include <gtest/gtest.h>
 #include <numbers>
 #include <utility>
 
@@ -30,8 +30,7 @@ struct Lattice : testing::Test {
   double overlap = 2 * radius - distance;
   // Of one contact:
   double a = std::sqrt(0.5 * radius * overlap);
-  double force =
-      4.0 / 3 * cell.material.effective_modulus() * a * overlap;
+  double force = 4.0 / 3 * cell.material.effective_modulus() * a * overlap;
   double kn = 2 * cell.material.effective_modulus() * a;
   double kt = 8 * cell.material.effective_shear_modulus() * a;
 };
@@ -122,22 +121,23 @@ TEST(VoigtStiffness, OfAPackingIsSymmetricAndPositive)
   EXPECT_GT(eigen.eigenvalues().minCoeff(), 0);
 }
 
-TEST(VoigtStiffness, IsAnUpperBoundInVolumetricLoading)
+TEST(VoigtStiffness, IsAnUpperBoundOfTheBulkModulus)
 {
+  // Smooth elastic grains: one slope, whether loading or unloading.
   constexpr double step = 1e-5;
-  UnitCell cell = test::alumina_cell();
-  const Tangent bound = voigt_tangent(cell);
-  const double bulk = bound.topLeftCorner<3, 3>().sum() / 9;
+  UnitCell cell = test::smooth_elastic_cell();
   Driving fine;
-  fine.quasi_static.unbalance_tolerance = 1e-5;
+  fine.quasi_static.unbalance_tolerance = 1e-6;
   fine.quasi_static.maximum_evaluations = 20000;
   const double before =
       deform(cell, Stretch::Identity(), fine).stress.trace() / 3;
+  const Tangent bound = voigt_tangent(cell);
   const double after =
       deform(cell, (1 - step) * Stretch::Identity(), fine).stress.trace() / 3;
   const double found = (before - after) / (3 * step);
-  EXPECT_GT(found, 0);
-  EXPECT_LT(found, bulk);
+  const double affine = bound.topLeftCorner<3, 3>().sum() / 9;
+  EXPECT_LT(found, affine);
+  EXPECT_GT(found, 0.6 * affine); // grains that do not follow cost a fifth
 }
 
 TEST(VoigtStiffness, IsThatOfIsotropicContactsInThePacking)
@@ -152,8 +152,7 @@ TEST(VoigtStiffness, IsThatOfIsotropicContactsInThePacking)
       std::numbers::pi * cell.contact.limiting_pressure * radius / 2;
   const double bulk = packing.relative_density * packing.coordination_number *
                       kn / (6 * std::numbers::pi * radius);
-  const double found =
-      voigt_stiffness(cell).topLeftCorner<3, 3>().sum() / 9;
+  const double found = voigt_stiffness(cell).topLeftCorner<3, 3>().sum() / 9;
   EXPECT_GT(found / bulk, 0.9);
   EXPECT_LT(found / bulk, 3); // contacts that unload are stiffer
 }

@@ -3,9 +3,8 @@
 #include <dem/unit_cell_bytes.h>
 #include <tests/dem/sample_cells.h>
 
-#include <gtest/gtest.h>
-
 #include <cstring>
+#include <gtest/gtest.h>
 #include <numbers>
 #include <stdexcept>
 #include <vector>
@@ -138,9 +137,9 @@ TEST(UnitCellBytes, MoreThanACellIsRefused)
 TEST(UnitCellBytes, IndicesOfNoGrainAreRefused)
 {
   const auto refused = [](const UnitCell &cell) {
-    return !message_of<std::runtime_error>(
-                [&] { (void)from_bytes(bytes_of(cell)); })
-                .empty();
+    return !message_of<std::runtime_error>([&] {
+              (void)from_bytes(bytes_of(cell));
+            }).empty();
   };
   UnitCell cell = lived_in();
   cell.contacts[3].pair.second = std::uint32_t(cell.size());
