@@ -214,7 +214,7 @@ PathEnd drive_gradients(MaterialPoints &points,
   std::vector<Tensor<2, 3>> increments;
   Tensor<2, 3> before = dealii::unit_symmetric_tensor<3>();
   for (const Tensor<2, 3> &F : gradients) {
-    increments.push_back(increment(F, before));
+    increments.push_back(path::increment(F, before));
     before = F;
   }
   return drive_increments(points, increments, observe);

@@ -18,22 +18,6 @@ namespace
 constexpr std::array<std::array<unsigned, 2>, 6> entry{
     {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}}};
 
-/// F_new F_old^-1; exactly diagonal if both are.
-Tensor<2, 3> increment(const Tensor<2, 3> &F_new, const Tensor<2, 3> &F_old)
-{
-  double off = 0;
-  for (unsigned i = 0; i < 3; ++i)
-    for (unsigned j = 0; j < 3; ++j)
-      if (i != j)
-        off = std::max({off, std::abs(F_new[i][j]), std::abs(F_old[i][j])});
-  if (off > 0)
-    return F_new * invert(F_old);
-  Tensor<2, 3> result;
-  for (unsigned i = 0; i < 3; ++i)
-    result[i][i] = F_new[i][i] / F_old[i][i];
-  return result;
-}
-
 /// Gaussian elimination with row exchange; none if the matrix is singular.
 std::optional<std::vector<double>> solve(std::vector<std::vector<double>> a,
                                          std::vector<double> b)
@@ -73,6 +57,21 @@ double norm(const std::vector<double> &values)
   return result;
 }
 } // namespace
+
+Tensor<2, 3> increment(const Tensor<2, 3> &F_new, const Tensor<2, 3> &F_old)
+{
+  double off = 0;
+  for (unsigned i = 0; i < 3; ++i)
+    for (unsigned j = 0; j < 3; ++j)
+      if (i != j)
+        off = std::max({off, std::abs(F_new[i][j]), std::abs(F_old[i][j])});
+  if (off > 0)
+    return F_new * invert(F_old);
+  Tensor<2, 3> result;
+  for (unsigned i = 0; i < 3; ++i)
+    result[i][i] = F_new[i][i] / F_old[i][i];
+  return result;
+}
 
 Six components(const SymmetricTensor<2, 3> &tensor)
 {

@@ -23,6 +23,10 @@ Six difference(const Six &a, const Six &b);
 /// if E is.
 dealii::Tensor<2, 3> stretch(const Six &strain);
 
+/// F_new F_old^-1; exactly diagonal if both are.
+dealii::Tensor<2, 3> increment(const dealii::Tensor<2, 3> &F_new,
+                               const dealii::Tensor<2, 3> &F_old);
+
 /// Point 0 of some material points; the others stand still.
 class Probe
 {
