@@ -89,11 +89,12 @@ Neighbours find_neighbours(const PeriodicBox &box,
                            double skin)
 {
   const double reach = 2 * std::ranges::max(radius) + skin;
-  if (box.smallest_width() < 2 * reach - skin)
-    throw std::runtime_error(
-        "unit cell too small: its width " +
-        std::to_string(box.smallest_width()) +
-        " m is less than two contact distances; use more grains");
+  // The nearest image is found by rounding, exact up to half a width.
+  if (box.smallest_width() < 2 * reach)
+    throw std::runtime_error("unit cell too small: its width " +
+                             std::to_string(box.smallest_width()) +
+                             " m is less than " + std::to_string(2 * reach) +
+                             " m, two contact distances; use more grains");
   const Grid grid(box, place, reach);
   Neighbours result{{}, skin, box.h, {place.begin(), place.end()}};
   std::vector<std::uint32_t> partners;
