@@ -52,9 +52,11 @@ private:
   bool advance()
   {
     Driving driving;
-    // A loose packing needs no equilibrium, only a way into a denser one.
+    // A loose packing needs no equilibrium, only a way into a denser one. With
+    // much less than this, pushing it ahead makes it denser than slow dynamics
+    // would.
     const bool loose = pressure_ < 0.1 * wanted_;
-    driving.quasi_static.maximum_evaluations = loose ? 300 : 3000;
+    driving.quasi_static.maximum_evaluations = loose ? 1000 : 3000;
     const UnitCell before = cell_;
     const CellAnswer answer =
         deform(cell_, std::exp(-step_) * Stretch::Identity(), driving);
