@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <dem/dynamics.h>
+#include <dem/measures.h>
+#include <dem/stretch.h>
+#include <tests/dem/sample_cells.h>
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+
+namespace tamp::dem
+{
+namespace
+{
+using test::alumina_cell;
+using test::compress;
+
+/// The speed of Rayleigh waves over that of shear waves, from the secular
+/// equation.
+double rayleigh_speed(double poisson)
+{
+  const double k = (1 - 2 * poisson) / (2 * (1 - poisson));
+  const auto residual = [k](double a2) {
+    return std::pow(2 - a2, 4) - 16 * (1 - a2) * (1 - k * a2);
+  };
+  double low = 0.75, high = 0.93; // of alpha^2; the residual rises there
+  for (int n = 0; n < 100; ++n) {
+    const double middle = 0.5 * (low + high);
+    (residual(middle) < 0 ? low : high) = middle;
+  }
+  return std::sqrt(low);
+}
+
+TEST(RayleighTimeStep, UsesTheWaveSpeedOfTheSecularEquation)
+{
+  EXPECT_NEAR(rayleigh_speed(0.3), 0.927413, 1e-6); // published
+  for (double poisson : {0.0, 0.1, 0.25, 0.3, 0.4, 0.499}) {
+    const GrainMaterial material{70e9, poisson, 2650};
+    const double step = rayleigh_time_step(material, 68e-6, 1);
+    const double exact = std::numbers::pi * 68e-6 / rayleigh_speed(poisson) *
+                         std::sqrt(2650 / material.shear_modulus());
+    EXPECT_NEAR(step / exact, 1, 3.1e-3); // error of the fitted line
+  }
+}
+
+TEST(RayleighTimeStep, IsThatOfThePublishedExample)
+{
+  // Sheng et al. (2004): E = 70 MPa, diameter 10 um; 0.168 us by their eq (6).
+  const GrainMaterial material{70e6, 0.3, 2650};
+  EXPECT_NEAR(rayleigh_time_step(material, 5e-6, 1), 0.168e-6, 0.5e-9);
+  EXPECT_NEAR(rayleigh_time_step(material, 5e-6, 1e12) /
+                  rayleigh_time_step(material, 5e-6, 1),
+              1e6,
+              1e-6);
+}
+
+TEST(DynamicMeasures, NumbersAreThoseOfTheSlowestPublishedRun)
+{
+  UnitCell cell;
+  cell.radius = {68e-6, 132e-6};
+  const Dynamics settings; // 1e-5 per second, density scaled by 1e12
+  const DynamicMeasures found = measure_dynamics(cell, settings, 100e3);
+  EXPECT_NEAR(found.scaling_number, 1.6e-6, 0.05e-6); // two digits published
+  // 2.2e-4 with the smallest diameter, 136 um; here the mean, 200 um.
+  EXPECT_NEAR(found.inertial_number * 136 / 200, 2.2e-4, 0.05e-4);
+  EXPECT_EQ(measure_dynamics(cell, settings, 0).inertial_number, 0);
+}
+
+TEST(DynamicMeasures, KineticEnergyCountsTranslationAndSpin)
+{
+  UnitCell cell;
+  cell.radius = {1e-4};
+  cell.velocity = {Vector3(3, 0, 4)};
+  cell.spin = {Vector3(0, 2e4, 0)};
+  Dynamics settings;
+  settings.density_scaling = 10;
+  const double mass =
+      10 * 2650 * 4.0 / 3 * std::numbers::pi * std::pow(1e-4, 3);
+  const double wanted = 0.5 * mass * 25 + 0.5 * 0.4 * mass * 1e-8 * 4e8;
+  EXPECT_NEAR(measure_dynamics(cell, settings, 1).kinetic_energy,
+              wanted,
+              1e-12 * wanted);
+}
+
+Driving driven(double rate)
+{
+  Driving driving;
+  driving.method = Method::dynamics;
+  driving.dynamics.strain_rate = rate;
+  return driving;
+}
+
+TEST(Dynamics, BoxIsExactlyStretched)
+{
+  UnitCell cell = alumina_cell();
+  Matrix3 strain;
+  strain << -1, .4, .1, .4, -.3, -.2, .1, -.2, .2;
+  const Stretch stretch = exponential(1e-3 * strain);
+  const Matrix3 wanted = stretch * cell.box.h;
+  deform(cell, stretch, driven(1e-3));
+  EXPECT_LT((cell.box.h - wanted).norm(), 1e-14 * wanted.norm());
+}
+
+TEST(Dynamics, SameRunGivesTheSameBits)
+{
+  UnitCell a = alumina_cell(), b = alumina_cell();
+  compress(a, -1e-3, 2, driven(1e-4));
+  compress(b, -1e-3, 2, driven(1e-4));
+  EXPECT_EQ(a, b);
+}
+
+TEST(Dynamics, StepsFollowTheRate)
+{
+  UnitCell a = alumina_cell(), b = alumina_cell();
+  const std::size_t fast = compress(a, -1e-3, 1, driven(1e-3)).evaluations;
+  const std::size_t slow = compress(b, -1e-3, 1, driven(1e-4)).evaluations;
+  EXPECT_NEAR(double(slow) / double(fast), 10, 10.0 / double(fast));
+}
+
+TEST(Dynamics, WorkIsStoredDissipatedOrKinetic)
+{
+  for (double rate : {1e-4, 1e-3}) {
+    UnitCell cell = alumina_cell();
+    const Driving driving = driven(rate);
+    const double stored = measure(cell).elastic_energy;
+    compress(cell, -0.02, 400, driving);
+    const EnergyAccount &spent = cell.energy;
+    const double kept =
+        measure(cell).elastic_energy - stored +
+        measure_dynamics(cell, driving.dynamics, 1).kinetic_energy;
+    const double lost = spent.plastic_dissipation + spent.friction_dissipation +
+                        spent.damping_dissipation;
+    EXPECT_GT(spent.damping_dissipation, 0);
+    EXPECT_NEAR(kept + lost,
+                spent.work,
+                0.01 * spent.work); // trapezoids of the work, time step
+  }
+}
+
+TEST(Dynamics, SlowerDrivingChangesLess)
+{
+  const auto stress = [](double rate) {
+    UnitCell cell = alumina_cell();
+    return compress(cell, -0.01, 1, driven(rate)).stress;
+  };
+  const Matrix3 fast = stress(1.6e-2), slow = stress(4e-4),
+                slower = stress(1e-5);
+  EXPECT_LT((slow - slower).norm(), 0.5 * (fast - slow).norm());
+  // Where rates are slow they no longer matter: to the scatter of dynamics.
+  EXPECT_LT((slow - slower).norm(), 0.05 * slower.norm());
+}
+
+TEST(Dynamics, WildStretchDiverges)
+{
+  UnitCell cell = alumina_cell();
+  EXPECT_EQ(deform(cell, test::uniaxial(std::log(0.49)), driven(1e3)).outcome,
+            Outcome::diverged);
+}
+} // namespace
+} // namespace tamp::dem
