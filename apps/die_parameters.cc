@@ -73,7 +73,7 @@ void declare_tolerances(ParameterTable &table)
                  a_strain,
                  "Unbalanced force over reaction force at equilibrium");
   table.quantity("Displacement tolerance",
-                 "1e-3",
+                 "1e-2",
                  dimension::number,
                  a_strain,
                  "Last change of the displacement over the step's increment");

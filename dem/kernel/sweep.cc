@@ -15,6 +15,14 @@ struct PairGeometry {
   double distance; ///< |l| [m]
 };
 
+/// The nearest whole number, without the call that std::nearbyint is on old
+/// instruction sets: adding 3/2 2^52 leaves no room for a fraction.
+inline double nearest_whole(double x)
+{
+  constexpr double shift = 0x1.8p52;
+  return (x + shift) - shift;
+}
+
 inline PairGeometry
 geometry(const Matrix3 &h, const GrainRow &a, const GrainRow &b)
 {
@@ -22,7 +30,7 @@ geometry(const Matrix3 &h, const GrainRow &a, const GrainRow &b)
             b.place[1] - a.place[1],
             b.place[2] - a.place[2]);
   for (int k = 0; k < 3; ++k)
-    s[k] -= std::nearbyint(s[k]);
+    s[k] -= nearest_whole(s[k]);
   const Vector3 branch = h * s;
   return {branch, branch.norm()};
 }
