@@ -118,6 +118,7 @@ private:
   // forces that are small against those of the peak need no perfect balance.
   void begin(unsigned stage, double peak_pressure)
   {
+    stage_ = stage;
     session_.log().detail(fmt::format("stage {}: {}, peak so far {:.4g} MPa",
                                       stage + 1,
                                       name_of(kind(stage)),
@@ -207,7 +208,7 @@ private:
         "(Solver/Maximum step), a higher Packing/Pressure or more grains may "
         "help",
         model_.last_step().step,
-        name_of(kind(model_.last_step().stage)),
+        name_of(kind(stage_)),
         reason(failure),
         failure.point,
         1e3 * failure.position[0],
@@ -263,6 +264,7 @@ private:
   DieOutput output_;
   CurveWriter curve_;
   std::vector<double> steps_;
+  unsigned stage_ = 0;
   DieResults results_;
   std::vector<ValueQuadrilateral> map_;
 };
