@@ -147,6 +147,8 @@ private:
     curve_.write(die_values(record, effort));
     results_.take(record, kind(record.stage), effort);
     output_.write_point_lines();
+    if (material_.cells)
+      warn_beyond_pair_laws(session_, record.mean_relative_density);
     if (kind(record.stage) == StageKind::press)
       map_ = density_map(model_);
     session_.log().step(
@@ -274,7 +276,7 @@ void warn_of_loose_cells(RunSession &session)
   const auto &material = session.input().material;
   if (material.kind == coupling::MaterialKind::unit_cell &&
       material.packing.pressure < safe_start_pressure)
-    session.log().warn(fmt::format(
+    session.warn(fmt::format(
         "Packing/Pressure = {:.3g} MPa: packings this loose may collapse in "
         "the first steps; 0.5 MPa or more is safe",
         material.packing.pressure / 1e6));
