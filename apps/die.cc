@@ -118,6 +118,7 @@ private:
   // forces that are small against those of the peak need no perfect balance.
   void begin(unsigned stage, double peak_pressure)
   {
+    stage_ = stage;
     session_.log().detail(fmt::format("stage {}: {}, peak so far {:.4g} MPa",
                                       stage + 1,
                                       name_of(kind(stage)),
@@ -146,6 +147,8 @@ private:
     curve_.write(die_values(record, effort));
     results_.take(record, kind(record.stage), effort);
     output_.write_point_lines();
+    if (material_.cells)
+      warn_beyond_pair_laws(session_, record.mean_relative_density);
     if (kind(record.stage) == StageKind::press)
       map_ = density_map(model_);
     session_.log().step(
@@ -207,7 +210,7 @@ private:
         "(Solver/Maximum step), a higher Packing/Pressure or more grains may "
         "help",
         model_.last_step().step,
-        name_of(kind(model_.last_step().stage)),
+        name_of(kind(stage_)),
         reason(failure),
         failure.point,
         1e3 * failure.position[0],
@@ -263,6 +266,7 @@ private:
   DieOutput output_;
   CurveWriter curve_;
   std::vector<double> steps_;
+  unsigned stage_ = 0;
   DieResults results_;
   std::vector<ValueQuadrilateral> map_;
 };
@@ -272,7 +276,7 @@ void warn_of_loose_cells(RunSession &session)
   const auto &material = session.input().material;
   if (material.kind == coupling::MaterialKind::unit_cell &&
       material.packing.pressure < safe_start_pressure)
-    session.log().warn(fmt::format(
+    session.warn(fmt::format(
         "Packing/Pressure = {:.3g} MPa: packings this loose may collapse in "
         "the first steps; 0.5 MPa or more is safe",
         material.packing.pressure / 1e6));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <apps/cell_columns.h>
 #include <apps/die_output.h>
-#include <apps/units.h>
 #include <coupling/grain_output.h>
 #include <dem/measures.h>
 
@@ -70,12 +69,6 @@ void DieOutput::choose_points()
   if (!cells_ || output.grain_output == GrainOutput::none)
     return;
   if (output.grain_output == GrainOutput::chosen_points) {
-    for (const std::size_t point : output.grain_points)
-      if (point >= cells_->size())
-        throw InputError(fmt::format("Output/Grain points: there is no point "
-                                     "{}; expected numbers from 0 to {}",
-                                     point,
-                                     cells_->size() - 1));
     grain_points_ = output.grain_points;
   } else {
     grain_points_.resize(cells_->size());

@@ -2,9 +2,11 @@
 #include <apps/input_sections.h>
 #include <apps/parameter_table.h>
 #include <apps/schedule.h>
+#include <fem/die_mesh.h>
 
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 namespace tamp::apps
 {
@@ -169,6 +171,16 @@ void read_geometry(const ParameterTable &table, fem::DieSettings &die)
   die.wall_friction_coefficient = table.number("Die/Wall friction coefficient");
 }
 
+fem::DieMesh make_mesh(const ParameterTable &table,
+                       const fem::DieGeometry &geometry)
+{
+  try {
+    return fem::DieMesh(geometry);
+  } catch (const std::runtime_error &error) {
+    table.complain("Die/Mesh file", error.what());
+  }
+}
+
 void read_solver(const ParameterTable &table, bool cells, fem::DieSettings &die)
 {
   fem::SolverSettings &solver = die.solver;
@@ -198,10 +210,10 @@ void read_solver(const ParameterTable &table, bool cells, fem::DieSettings &die)
 
 void read_schedule(const ParameterTable &table,
                    bool cells,
+                   double radius,
                    fem::DieSettings &die)
 {
   const std::string path = "Schedule/Stages";
-  const double radius = die.geometry.radius;
   try {
     die.stages = parse_schedule(
         table.word(path),
@@ -231,13 +243,15 @@ void declare_die(ParameterTable &table)
   table.leave();
 }
 
-void read_die(const ParameterTable &table,
-              coupling::MaterialKind kind,
-              fem::DieSettings &die)
+std::size_t read_die(const ParameterTable &table,
+                     coupling::MaterialKind kind,
+                     fem::DieSettings &die)
 {
   const bool cells = kind == coupling::MaterialKind::unit_cell;
   read_geometry(table, die);
-  read_schedule(table, cells, die);
+  const fem::DieMesh mesh = make_mesh(table, die.geometry);
+  read_schedule(table, cells, mesh.radius(), die);
   read_solver(table, cells, die);
+  return mesh.number_of_points();
 }
 } // namespace tamp::apps

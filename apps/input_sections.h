@@ -23,10 +23,11 @@ void read_material(const ParameterTable &table,
 /// @name Die, Schedule, Solver
 /// @{
 void declare_die(ParameterTable &table);
-/// The kind of material decides what `automatic` means.
-void read_die(const ParameterTable &table,
-              coupling::MaterialKind kind,
-              fem::DieSettings &die);
+/// The kind of material decides what `automatic` means. Returns the number of
+/// the die's material points.
+std::size_t read_die(const ParameterTable &table,
+                     coupling::MaterialKind kind,
+                     fem::DieSettings &die);
 /// @}
 } // namespace tamp::apps
 

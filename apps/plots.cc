@@ -71,8 +71,12 @@ std::string draw_plots(const std::filesystem::path &folder,
     out << fmt::format(fmt::runtime(head), plot.name) << plot.script;
     out.close();
     for (const std::string &format : formats)
-      if (!out || !run_gnuplot(folder, script, format))
-        failed += (failed.empty() ? "" : ", ") + plot.name + "." + format;
+      if (const std::string picture = plot.name + "." + format;
+          !out || !run_gnuplot(folder, script, format)) {
+        failed += (failed.empty() ? "" : ", ") + picture;
+        std::error_code ignored;
+        std::filesystem::remove(folder / picture, ignored);
+      }
   }
   std::error_code error;
   const auto log = folder / "gnuplot.log";
@@ -80,10 +84,12 @@ std::string draw_plots(const std::filesystem::path &folder,
     std::filesystem::remove(log, error);
   if (failed.empty())
     return {};
-  return fmt::format("gnuplot did not draw {}; the scripts are in {} (is "
-                     "gnuplot installed?)",
+  const bool ran = std::filesystem::exists(log, error);
+  return fmt::format("gnuplot did not draw {}; the scripts are in {}{}",
                      failed,
-                     folder.string());
+                     folder.string(),
+                     ran ? ", the reason is in gnuplot.log there"
+                         : " (is gnuplot installed?)");
 }
 
 void write_map(const std::filesystem::path &file,

@@ -195,6 +195,8 @@ private:
                         std::back_inserter(values));
     curve_.write(values);
     remember(record, strain, stress);
+    if (material_.cells)
+      warn_beyond_pair_laws(session_, density_);
     report(record);
     if (step_ % session_.input().output.grain_interval == 0)
       write_grains();

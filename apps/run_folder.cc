@@ -50,7 +50,7 @@ std::string with_unit(const std::string &name, double value)
   if (ends("[m]"))
     return fmt::format("{:.4g} mm", value / 1e-3);
   if (ends("[s]"))
-    return duration(value);
+    return value < 10 ? fmt::format("{:.2g} s", value) : duration(value);
   return fmt::format("{:.4g}", value);
 }
 } // namespace
@@ -137,6 +137,8 @@ std::string RunRecord::json() const
   tree["status"] = status;
   if (!message.empty())
     tree["message"] = message;
+  if (!warnings.empty())
+    tree["warnings"] = warnings;
   tree["results"] = nlohmann::ordered_json::object();
   for (const auto &[name, value] : results)
     tree["results"][name] = value;
@@ -153,6 +155,8 @@ std::string RunRecord::summary() const
   row("status", status);
   if (!message.empty())
     row("because", message);
+  for (const std::string &warning : warnings)
+    row("warning", warning);
   for (const auto &[name, value] : results) {
     std::string words = name.substr(0, name.find('['));
     for (char &letter : words)

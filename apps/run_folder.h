@@ -42,8 +42,9 @@ struct RunRecord {
   unsigned threads = 1;
   std::chrono::steady_clock::time_point start =
       std::chrono::steady_clock::now();
-  std::string status = "running"; ///< running, done, not converged, ...
-  std::string message;            ///< why it ended, if not done
+  std::string status = "running";    ///< running, done, not converged, ...
+  std::string message;               ///< why it ended, if not done
+  std::vector<std::string> warnings; ///< what to mind with the results
   /// Key results with their units, in the order of the summary.
   std::vector<std::pair<std::string, double>> results;
 

@@ -3,6 +3,9 @@
 #include <apps/parameter_table.h>
 #include <apps/run_input.h>
 
+#include <algorithm>
+#include <fmt/format.h>
+
 namespace tamp::apps
 {
 namespace
@@ -84,7 +87,27 @@ void read_output(const ParameterTable &table, OutputSettings &output)
                         : grains == "all" ? GrainOutput::all
                                           : GrainOutput::chosen_points;
   output.grain_points = table.indices("Output/Grain points");
+  std::ranges::sort(output.grain_points);
+  const auto repeated = std::ranges::unique(output.grain_points);
+  output.grain_points.erase(repeated.begin(), repeated.end());
   output.plot_formats = table.words("Output/Plot format");
+}
+
+void check_grain_points(const ParameterTable &table,
+                        const RunInput &input,
+                        std::size_t count)
+{
+  const OutputSettings &output = input.output;
+  if (input.material.kind != coupling::MaterialKind::unit_cell ||
+      output.grain_output != GrainOutput::chosen_points)
+    return;
+  for (const std::size_t point : output.grain_points)
+    if (point >= count)
+      table.complain("Output/Grain points",
+                     fmt::format("there is no point {}; expected numbers from "
+                                 "0 to {}",
+                                 point,
+                                 count - 1));
 }
 } // namespace
 
@@ -104,9 +127,10 @@ RunInput read_input(const ParameterTable &table, Need need)
   read_material(table, input.material);
   if (need != Need::die)
     read_path(table, input);
-  if (need != Need::probe)
-    read_die(table, input.material.kind, input.die);
   read_output(table, input.output);
+  if (need != Need::probe)
+    check_grain_points(
+        table, input, read_die(table, input.material.kind, input.die));
   return input;
 }
 } // namespace tamp::apps

@@ -16,6 +16,10 @@ class PackingError : public std::runtime_error
 /// Makes the material points of a run, and shows how far packing is. Throws
 /// PackingError if grains do not jam.
 coupling::Material prepare_material(RunSession &session, std::size_t count);
+
+/// Warns, once a run, if cells are denser than where forces may be computed
+/// contact by contact.
+void warn_beyond_pair_laws(RunSession &session, double mean_relative_density);
 } // namespace tamp::apps
 
 #endif

@@ -93,6 +93,14 @@ void RunSession::result(const std::string &name, double value)
   record_.results.emplace_back(name, value);
 }
 
+void RunSession::warn(const std::string &warning)
+{
+  if (std::ranges::count(record_.warnings, warning))
+    return;
+  record_.warnings.push_back(warning);
+  log_->warn(warning);
+}
+
 int RunSession::run(const std::function<RunEnd()> &work)
 {
   const auto attempt = [&]() -> RunEnd {

@@ -58,6 +58,9 @@ public:
   bool plots() const { return plots_; }
   /// Adds a key result, "name[unit]".
   void result(const std::string &name, double value);
+  /// Says a warning that stays in run.json and summary.txt; the same one is
+  /// said once.
+  void warn(const std::string &warning);
 
   /// Does the work of the run, then writes run.json and summary.txt, says how
   /// it ended, and gives the program's exit code. Exceptions of the work end

@@ -95,6 +95,13 @@ expect 2 'Mesh file' 'no.msh' -- "$tamp" die bad.prm -o results \
 expect 2 'free ejection' 'holding 5 %' -- "$tamp" die bad.prm -o results \
   --set 'Material/Type = unit cell' \
   --set 'Schedule/Stages = press to density 0.8; eject to rim holding 0 % of peak'
+cells=(--set 'Material/Type = unit cell')
+expect 2 'Output/Grain points' '112' 'from 0 to 111' -- "$tamp" die bad.prm \
+  -o results "${cells[@]}" --set 'Output/Grain points = 5, 112'
+printf 'no mesh' > empty.msh
+expect 2 'Mesh file' 'empty.msh' -- "$tamp" die bad.prm -o results \
+  --set 'Die/Shape = file' --set 'Die/Mesh file = empty.msh'
+[ ! -e results ] || { echo "FAILED: results were written"; exit 1; }
 
 echo 'a file' > file
 expect 4 'file/results' -- "$tamp" probe bad.prm -o file/results
