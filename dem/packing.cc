@@ -57,6 +57,10 @@ private:
     // would.
     const bool loose = pressure_ < 0.1 * wanted_;
     driving.quasi_static.maximum_evaluations = loose ? 1000 : 3000;
+    // What is left of the forces of a first few contacts does not matter at
+    // the wanted pressure, where contacts carry about p d^2.
+    const double diameter = 2 * cell_.mean_radius();
+    driving.quasi_static.force_floor = 0.1 * wanted_ * diameter * diameter;
     const UnitCell before = cell_;
     const CellAnswer answer =
         deform(cell_, std::exp(-step_) * Stretch::Identity(), driving);

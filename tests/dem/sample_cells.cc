@@ -59,16 +59,6 @@ PackingRequest table_one_request(std::uint64_t seed)
   return request;
 }
 
-const UnitCell &table_one_cell(std::uint64_t seed)
-{
-  static std::map<std::uint64_t, UnitCell> cells;
-  const auto found = cells.find(seed);
-  if (found != cells.end())
-    return found->second;
-  return cells.emplace(seed, make_packing(table_one_request(seed)))
-      .first->second;
-}
-
 UnitCell random_cell(std::size_t count, std::uint64_t seed)
 {
   RandomNumbers random(seed);

@@ -25,9 +25,6 @@ const UnitCell &smooth_elastic_cell();
 /// mu .3, p_y 0.5 GPa, packed at 100 kPa.
 PackingRequest table_one_request(std::uint64_t seed);
 
-/// The packing of table_one_request(), made once for each seed.
-const UnitCell &table_one_cell(std::uint64_t seed);
-
 /// Grains at random places of a random triclinic box, many of them overlapping,
 /// with a contact history as if they had been pushed there.
 UnitCell random_cell(std::size_t count, std::uint64_t seed);

@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <cstdint>
+#include <future>
 #include <gtest/gtest.h>
+#include <vector>
 
 namespace tamp::dem
 {
@@ -12,65 +14,84 @@ namespace
 {
 // Table I of Sheng et al. (2004) against an independent DEM code driven by slow
 // dynamics: 1000 grains, mu .3, p_y 0.5 GPa, mean of two samples. Tolerances
-// are the scatter of single samples. Over eight seeds this room finds, at
-// 100 kPa, phi .588 +- .004 and Z_m 4.71 +- .04, and axial stresses of
-// 6.3 +- .5 MPa at 5 % and 16.6 +- 1.1 MPa at 10 %; the seeds below lie near
-// the middle. Its lateral share at 15 % is .49 +- .02, above the other code's.
-struct Measured {
-  double strain; // engineering, 1 - h / h_0
-  double axial;  // [Pa]
-  double lateral_share, mechanical_coordination;
-  double axial_tolerance; // relative
+// are the scatter of single samples there; here the means of the first three
+// seeds are compared, as one seed may lie outside: over eight seeds the density
+// at 100 kPa is .590 +- .006, the axial stress at 10 % is 17.3 +- 1.4 MPa.
+struct State {
+  double density = 0, axial = 0, lateral_share = 0, coordination = 0,
+         plastic_share = 0;
+
+  State &operator+=(const State &other)
+  {
+    density += other.density;
+    axial += other.axial;
+    lateral_share += other.lateral_share;
+    coordination += other.coordination;
+    plastic_share += other.plastic_share;
+    return *this;
+  }
 };
-constexpr Measured curve[] = {{0.05, 6.05e6, .57, 5.61, 0.20},
-                              {0.10, 16.92e6, .495, 6.17, 0.08},
-                              {0.15, 31.90e6, .46, 6.67, 0.08}};
-constexpr double share_tolerance = 0.04, coordination_tolerance = 0.15;
 
-struct TableOne : testing::TestWithParam<std::uint64_t> {
-};
-
-void expect_packing(const UnitCell &cell)
-{
-  const CellMeasures found = measure(cell);
-  EXPECT_NEAR(-found.stress.trace() / 3, 100e3, 1e3);
-  EXPECT_NEAR(found.relative_density, 0.5891, 0.004);
-  EXPECT_NEAR(
-      found.mechanical_coordination_number, 4.66, coordination_tolerance);
-  // Nearly all contacts yield before 100 kPa; .94 and .96 in the two samples.
-  EXPECT_NEAR(
-      double(found.plastic_contacts) / double(found.contacts), 0.95, 0.05);
-}
-
-void expect_state(const UnitCell &cell, const Measured &wanted)
+State state_of(const UnitCell &cell)
 {
   const CellMeasures found = measure(cell);
   const double axial = -found.stress(1, 1);
   const double lateral = -0.5 * (found.stress(0, 0) + found.stress(2, 2));
-  EXPECT_NEAR(axial, wanted.axial, wanted.axial_tolerance * wanted.axial);
-  EXPECT_NEAR(lateral / axial, wanted.lateral_share, share_tolerance);
-  EXPECT_NEAR(found.mechanical_coordination_number,
-              wanted.mechanical_coordination,
-              coordination_tolerance);
+  return {found.relative_density,
+          axial,
+          lateral / axial,
+          found.mechanical_coordination_number,
+          double(found.plastic_contacts) / double(found.contacts)};
 }
 
-TEST_P(TableOne, PackingAndUniaxialCurveAgreeWithAnotherCode)
+/// At 100 kPa, then at an engineering strain of 5, 10 and 15 %.
+std::vector<State> curve_of(std::uint64_t seed)
 {
-  const UnitCell &packing = test::table_one_cell(GetParam());
-  expect_packing(packing);
-  UnitCell cell = packing;
+  UnitCell cell = make_packing(test::table_one_request(seed));
+  std::vector<State> states{state_of(cell)};
   const double height = cell.box.h(1, 1);
-  constexpr int steps_per_state = 10; // of 0.5 %
-  for (int k = 1; k <= 3 * steps_per_state; ++k) {
+  for (int k = 1; k <= 30; ++k) { // increments of 0.5 %
     const double wanted = height * (1 - 0.005 * k);
     deform(cell, test::uniaxial(std::log(wanted / cell.box.h(1, 1))), {});
-    if (k % steps_per_state == 0) {
-      SCOPED_TRACE(testing::Message() << "strain " << 0.005 * k);
-      expect_state(cell, curve[k / steps_per_state - 1]);
-    }
+    if (k % 10 == 0)
+      states.push_back(state_of(cell));
   }
+  return states;
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, TableOne, testing::Values(6, 7));
+TEST(TableOne, MeanOfThreeSeedsAgreesWithAnotherCode)
+{
+  std::vector<std::future<std::vector<State>>> runs;
+  for (std::uint64_t seed : {1, 2, 3})
+    runs.push_back(std::async(std::launch::async, curve_of, seed));
+  std::vector<State> mean(4);
+  for (auto &run : runs) {
+    const std::vector<State> states = run.get();
+    for (std::size_t k = 0; k < mean.size(); ++k)
+      mean[k] += states[k];
+  }
+  for (State &state : mean)
+    state = {state.density / 3,
+             state.axial / 3,
+             state.lateral_share / 3,
+             state.coordination / 3,
+             state.plastic_share / 3};
+
+  constexpr double share_tolerance = 0.04, coordination_tolerance = 0.15;
+  EXPECT_NEAR(mean[0].density, 0.5891, 0.004);
+  EXPECT_NEAR(mean[0].coordination, 4.665, coordination_tolerance);
+  // Nearly all contacts yield before 100 kPa.
+  EXPECT_NEAR(mean[0].plastic_share, 0.95, 0.05);
+
+  EXPECT_NEAR(mean[1].axial, 6.05e6, 0.20 * 6.05e6);
+  EXPECT_NEAR(mean[2].axial, 16.92e6, 0.08 * 16.92e6);
+  EXPECT_NEAR(mean[3].axial, 31.90e6, 0.08 * 31.90e6);
+  EXPECT_NEAR(mean[1].lateral_share, 0.57, share_tolerance);
+  EXPECT_NEAR(mean[2].lateral_share, 0.495, share_tolerance);
+  EXPECT_NEAR(mean[3].lateral_share, 0.46, share_tolerance);
+  EXPECT_NEAR(mean[1].coordination, 5.61, coordination_tolerance);
+  EXPECT_NEAR(mean[2].coordination, 6.165, coordination_tolerance);
+  EXPECT_NEAR(mean[3].coordination, 6.665, coordination_tolerance);
+}
 } // namespace
 } // namespace tamp::dem
