@@ -89,6 +89,8 @@ expect 2 '--set' "'Packing'" -- \
   "$tamp" probe bad.prm -o results --set 'Paking/Seed = 2'
 expect 2 'threads' -- "$tamp" probe bad.prm -o results --threads 0
 expect 2 'missing.prm' -- "$tamp" probe missing.prm -o results
+expect 2 'a command' 'die, probe' -- "$tamp"
+expect 2 "'dye'" "'die'" -- "$tamp" dye bad.prm
 expect 2 '--wrong' -- "$tamp" probe bad.prm --wrong
 expect 2 'Mesh file' 'no.msh' -- "$tamp" die bad.prm -o results \
   --set 'Die/Shape = file' --set 'Die/Mesh file = no.msh'
