@@ -104,6 +104,10 @@ says() {
   grep -q -- "$text" said.txt || fail "$* does not say '$text'"
 }
 says 'Limiting contact pressure' "$tamp" params --format md
+# Name, default, range, unit and meaning of every parameter.
+awk -F'|' '/^\|/ { if (NF != 7) exit 1
+    for (i = 2; i < NF; ++i) if ($i ~ /^ *$/) exit 1 }' said.txt ||
+  fail "a parameter lacks default, range, unit or meaning"
 
 says die_default "$tamp" examples list
 "$tamp" examples copy probe_uniaxial copied
