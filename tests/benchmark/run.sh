@@ -13,7 +13,7 @@ build=$root/build
 result=$PWD/benchmark.csv
 # Programs that print lines "name,value,unit"; each takes FILTER. Further ones
 # are added here.
-programs="dem_benchmark"
+programs="dem_benchmark coupling_benchmark"
 
 cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release \
   -DTAMP_BENCHMARKS=ON >"${TMPDIR:-/tmp}/tamp_benchmark_configure.log" || {
@@ -22,15 +22,39 @@ cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release \
   exit 1
 }
 # shellcheck disable=SC2086
-cmake --build "$build" --parallel "$(nproc)" --target $programs >&2
+cmake --build "$build" --parallel "$(nproc)" --target $programs tamp >&2
 
 lines=$(mktemp)
 trap 'rm -f "$lines"' EXIT
 for program in $programs; do
   "$build/tests/benchmark/$program" "$filter" >>"$lines"
 done
-# Runs of whole programs whose times are lines of the result, too, go here:
-# append "name,value,unit" to "$lines" where the name contains "$filter".
+
+# run_die NAME EXAMPLE: wall time of a die example, cell updates per load step,
+# and where the time went, from its run.json.
+run_die() {
+  case "$1" in *"$filter"*) ;; *)
+    [ -n "$filter" ] && [ "${filter#"$1"}" = "$filter" ] && return 0 ;;
+  esac
+  out=$(mktemp -d)
+  "$build/apps/tamp" die "$root/apps/examples/$2/$2.prm" -o "$out/result" \
+    -q --no-plots
+  value() {
+    sed -n "s/^ *\"$1\": \([0-9.eE+-]*\),*\$/\1/p" "$out/result/run.json"
+  }
+  {
+    echo "$1.wall,$(value 'wall_time\[s\]'),s"
+    echo "$1.cell_updates_per_step,$(value 'cell_updates_per_step\[-\]'),-"
+    for part in material assembly linear_solver model; do
+      echo "$1.time.$part,$(value "time_$part\[s\]"),s"
+    done
+  } >>"$lines"
+  rm -rf "$out"
+}
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+export OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1
+run_die die_dpc die_default_dpc
+run_die die_default die_default
 
 {
   echo "# date: $(date -u +%Y-%m-%dT%H:%M:%SZ)"
