@@ -65,7 +65,7 @@ public:
   RunEnd work()
   {
     RunLog &log = session_.log();
-    log.begin(fmt::format("{} points, {} stages",
+    log.begin(fmt::format("pressing {} points, {} stages",
                           mesh_.number_of_points(),
                           settings_.stages.size()));
     take_step();

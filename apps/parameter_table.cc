@@ -390,14 +390,15 @@ void ParameterTable::print(std::ostream &out, TableFormat format) const
                          "|\n|---|---|---|---|---|\n",
                          fmt::join(section, " / "));
     }
-    out << fmt::format("| {} | {} | {} | {} | {} |\n",
-                       entry.name,
-                       entry.default_value.empty()
-                           ? ""
-                           : fmt::format("`{}`", entry.default_value),
-                       entry.pattern.limits(),
-                       entry.pattern.unit(),
-                       entry.text);
+    const EntryPattern &pattern = entry.pattern;
+    out << fmt::format(
+        "| {} | {} | {} | {} | {} |\n",
+        entry.name,
+        entry.default_value.empty() ? "(empty)"
+                                    : fmt::format("`{}`", entry.default_value),
+        pattern.limits().empty() ? pattern.expected() : pattern.limits(),
+        pattern.unit().empty() ? "-" : pattern.unit(),
+        entry.text);
   }
 }
 

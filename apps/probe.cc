@@ -138,11 +138,14 @@ private:
     } catch (const Interrupted &) {
       return RunSession::interrupted(caught_signal());
     }
+    const std::string problem =
+        material_.cells ? material_.cells->report().problem : "";
     return {exit_not_converged,
-            fmt::format("the increment after step {} did not converge, at "
+            fmt::format("the increment after step {} did not converge{}, at "
                         "axial strain {:.4g}, axial stress {:.4g} MPa, "
                         "lateral stress {:.4g} MPa",
                         step_,
+                        problem.empty() ? "" : " (" + problem + ")",
                         strain_,
                         axial_ / 1e6,
                         lateral_ / 1e6)};
@@ -207,9 +210,10 @@ private:
                 const SymmetricTensor &stress)
   {
     step_ = record.step;
-    strain_ = strain[2][2];
-    axial_ = stress[2][2];
-    lateral_ = 0.5 * (stress[0][0] + stress[1][1]);
+    // Nobody wants to read -0.
+    strain_ = strain[2][2] + 0.0;
+    axial_ = stress[2][2] + 0.0;
+    lateral_ = 0.5 * (stress[0][0] + stress[1][1]) + 0.0;
     if (axial_ > peak_) {
       peak_ = axial_;
       strain_at_peak_ = strain_;

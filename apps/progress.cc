@@ -4,14 +4,24 @@
 #include <algorithm>
 #include <cstdlib>
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 namespace tamp::apps
 {
 namespace
 {
-constexpr int width = 30;
+constexpr std::size_t shortest_bar = 8, longest_bar = 30;
 constexpr double seconds_between_bars = 0.1;
+
+// Width of the terminal, or what was always safe.
+std::size_t columns_of(std::FILE *out)
+{
+  winsize size{};
+  if (ioctl(fileno(out), TIOCGWINSZ, &size) == 0 && size.ws_col > 0)
+    return size.ws_col;
+  return 80;
+}
 } // namespace
 
 std::string duration(double seconds)
@@ -73,22 +83,39 @@ void Progress::update(double share,
       std::chrono::duration<double>(now - last_).count() < seconds_between_bars)
     return;
   last_ = now;
-  share = std::clamp(share, 0.0, 1.0);
-  const int filled = static_cast<int>(share * width);
+  draw(std::clamp(share, 0.0, 1.0),
+       fmt::format(" {:3.0f} %  {:.3g} {}/s  {} left",
+                   100 * std::clamp(share, 0.0, 1.0),
+                   count / std::max(elapsed(), 1e-9),
+                   unit,
+                   share > 0 ? duration(left(share)) : "?"));
+}
+
+void Progress::draw(double share, const std::string &words)
+{
+  // A line that wraps could not be cleared.
+  const std::size_t room = columns_of(out_) - 1;
+  const std::size_t taken = words.size() + shortest_bar + 1;
+  const std::string title =
+      title_.substr(0, room > taken ? room - taken : std::size_t(0));
+  const std::size_t width =
+      std::clamp(room > words.size() + title.size() + 1
+                     ? room - words.size() - title.size() - 1
+                     : std::size_t(0),
+                 shortest_bar,
+                 longest_bar);
+  const auto filled =
+      static_cast<std::size_t>(share * static_cast<double>(width));
   std::string blocks;
-  for (int i = 0; i < width; ++i)
+  for (std::size_t i = 0; i < width; ++i)
     blocks += i < filled ? "\u2588" : "\u2591";
-  const std::string text =
-      fmt::format("{:<12} {}{}{} {:3.0f} %  {:.3g} {}/s  {} left",
-                  title_,
-                  color_ ? "\033[36m" : "",
-                  blocks,
-                  color_ ? "\033[0m" : "",
-                  100 * share,
-                  count / std::max(elapsed(), 1e-9),
-                  unit,
-                  share > 0 ? duration(left(share)) : "?");
-  fmt::print(out_, "\r\033[K{}", text);
+  fmt::print(out_,
+             "\r\033[K{} {}{}{}{}",
+             title,
+             color_ ? "\033[36m" : "",
+             blocks,
+             color_ ? "\033[0m" : "",
+             words);
   std::fflush(out_);
   shown_ = true;
 }

@@ -44,6 +44,7 @@ public:
   double left(double share) const;
 
 private:
+  void draw(double share, const std::string &words);
   void clear_bar();
   void print(const std::string &line);
 

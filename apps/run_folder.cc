@@ -40,6 +40,11 @@ double wall_seconds(const RunRecord &record)
       .count();
 }
 
+std::string seconds(double value)
+{
+  return value < 10 ? fmt::format("{:.2g} s", value) : duration(value);
+}
+
 std::string with_unit(const std::string &name, double value)
 {
   const auto ends = [&](const char *unit) { return name.ends_with(unit); };
@@ -50,7 +55,7 @@ std::string with_unit(const std::string &name, double value)
   if (ends("[m]"))
     return fmt::format("{:.4g} mm", value / 1e-3);
   if (ends("[s]"))
-    return value < 10 ? fmt::format("{:.2g} s", value) : duration(value);
+    return seconds(value);
   return fmt::format("{:.4g}", value);
 }
 } // namespace
@@ -164,8 +169,8 @@ std::string RunRecord::summary() const
         letter = ' ';
     row(words, with_unit(name, value));
   }
-  row("wall time", duration(wall_seconds(*this)));
-  row("CPU time", duration(cpu_seconds()));
+  row("wall time", seconds(wall_seconds(*this)));
+  row("CPU time", seconds(cpu_seconds()));
   row("threads", fmt::format("{}", threads));
   row("version", build_facts().version);
   return text;

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <apps/build_facts.h>
 #include <apps/commands.h>
+#include <apps/nearest_name.h>
 #include <apps/units.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <exception>
 #include <fmt/format.h>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -55,6 +58,50 @@ struct OtherOptions {
   std::filesystem::path folder = ".";
 };
 
+// Commands that print or copy.
+void add_other_commands(CLI::App &app, OtherOptions &other, int &code)
+{
+  CLI::App *params = app.add_subcommand(
+      "params", "Print all parameters with default, unit and meaning");
+  params->add_option("--format", other.format, "prm, json or md")
+      ->check(CLI::IsMember({"prm", "json", "md"}));
+  params->add_option(
+      "--check", other.check, "Read this input instead, without running it");
+  params->callback([&] {
+    code = other.check.empty() ? print_parameters(other.format)
+                               : check_parameters(other.check);
+  });
+
+  CLI::App *examples = app.add_subcommand("examples", "Inputs to start from");
+  examples->require_subcommand(1);
+  examples->add_subcommand("list", "Names and titles")->callback([&] {
+    code = list_examples();
+  });
+  CLI::App *copy = examples->add_subcommand("copy", "Copy an example");
+  copy->add_option("NAME", other.example, "Which")->required();
+  copy->add_option("DIR", other.folder, "Where to; default: here");
+  copy->callback([&] { code = copy_example(other.example, other.folder); });
+}
+
+// Throws InputError if the first word is neither a command nor an option.
+void check_command(const CLI::App &app, int argc, char **argv)
+{
+  std::vector<std::string> commands;
+  for (const CLI::App *command : app.get_subcommands({}))
+    commands.push_back(command->get_name());
+  const std::string all = fmt::format("{}", fmt::join(commands, ", "));
+  if (argc < 2)
+    throw InputError(
+        fmt::format("expected a command: {}; 'tamp --help' says more", all));
+  const std::string word = argv[1];
+  if (!word.starts_with('-') && !std::ranges::count(commands, word))
+    throw InputError(fmt::format("there is no command '{}'; did you mean "
+                                 "'{}'? Commands are {}",
+                                 word,
+                                 nearest_name(word, commands),
+                                 all));
+}
+
 int run(int argc, char **argv)
 {
   CLI::App app("Powder die compaction: finite elements whose material points "
@@ -77,31 +124,15 @@ int run(int argc, char **argv)
   add_run_options(*probe, options);
   probe->callback([&] { code = run_probe(options); });
 
-  CLI::App *params = app.add_subcommand(
-      "params", "Print all parameters with default, unit and meaning");
-  params->add_option("--format", other.format, "prm, json or md")
-      ->check(CLI::IsMember({"prm", "json", "md"}));
-  params->add_option(
-      "--check", other.check, "Read this input instead, without running it");
-  params->callback([&] {
-    code = other.check.empty() ? print_parameters(other.format)
-                               : check_parameters(other.check);
-  });
-
-  CLI::App *examples = app.add_subcommand("examples", "Inputs to start from");
-  examples->require_subcommand(1);
-  examples->add_subcommand("list", "Names and titles")->callback([&] {
-    code = list_examples();
-  });
-  CLI::App *copy = examples->add_subcommand("copy", "Copy an example");
-  copy->add_option("NAME", other.example, "Which")->required();
-  copy->add_option("DIR", other.folder, "Where to; default: here");
-  copy->callback([&] { code = copy_example(other.example, other.folder); });
-
+  add_other_commands(app, other, code);
   app.add_subcommand("cite", "Print BibTeX entries")->callback([&] {
     code = print_citations();
   });
 
+  app.footer("To begin: tamp examples list; tamp examples copy die_default; "
+             "tamp die die_default/die_default.prm");
+
+  check_command(app, argc, argv);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError &error) {

@@ -1,0 +1,52 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# Wrong options, folders and values that do not fit together end with the exit
+# code and the message that users are promised. Usage: bad_run.sh TAMP
+. "$(dirname "$(realpath "$0")")/expect.sh"
+
+printf 'subsection Material\n  set Type = elastic\nend\n' > bad.prm
+expect 2 'Packing/Seed' -- \
+  "$tamp" probe bad.prm -o results --set 'Packing/Seed = many'
+expect 2 '--set' "'Packing'" -- \
+  "$tamp" probe bad.prm -o results --set 'Paking/Seed = 2'
+expect 2 'threads' -- "$tamp" probe bad.prm -o results --threads 0
+expect 2 'missing.prm' -- "$tamp" probe missing.prm -o results
+expect 2 'a command' 'die, probe' -- "$tamp"
+expect 2 "'dye'" "'die'" -- "$tamp" dye bad.prm
+expect 2 '--wrong' -- "$tamp" probe bad.prm --wrong
+expect 2 'Mesh file' 'no.msh' -- "$tamp" die bad.prm -o results \
+  --set 'Die/Shape = file' --set 'Die/Mesh file = no.msh'
+expect 2 'free ejection' 'holding 5 %' -- "$tamp" die bad.prm -o results \
+  --set 'Material/Type = unit cell' \
+  --set 'Schedule/Stages = press to density 0.8; eject to rim holding 0 % of peak'
+cells=(--set 'Material/Type = unit cell')
+expect 2 'Output/Grain points' '112' 'from 0 to 111' -- "$tamp" die bad.prm \
+  -o results "${cells[@]}" --set 'Output/Grain points = 5, 112'
+printf 'no mesh' > empty.msh
+expect 2 'Mesh file' 'empty.msh' -- "$tamp" die bad.prm -o results \
+  --set 'Die/Shape = file' --set 'Die/Mesh file = empty.msh'
+[ ! -e results ] || { echo "FAILED: results were written"; exit 1; }
+
+echo 'a file' > file
+expect 4 'file/results' -- "$tamp" probe bad.prm -o file/results
+expect 4 '/dev/null/results' -- "$tamp" probe bad.prm -o /dev/null/results
+
+mkdir results
+echo precious > results/curve.csv
+expect 2 'results' '--force' -- "$tamp" probe bad.prm -o results
+if [ "$(cat results/curve.csv)" != precious ] ||
+  [ "$(find results | wc -l)" -ne 2 ]; then
+  echo "FAILED: the existing folder was changed"
+  failures=$((failures + 1))
+fi
+echo keep > results/notes.txt
+"$tamp" probe bad.prm -o results --force --no-plots -q \
+  --set 'Path/Stages = uniaxial to strain 0.01'
+if [ "$(cat results/notes.txt)" != keep ] || grep -q precious results/curve.csv
+then
+  echo "FAILED: --force did not overwrite the results and these only"
+  failures=$((failures + 1))
+fi
+
+echo "$failures failures"
+[ "$failures" -eq 0 ]
