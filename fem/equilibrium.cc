@@ -214,7 +214,8 @@ bool Equilibrium::update_forces(const PunchMotion &motion, Attempt &attempt)
   trial_.forces = contact_.forces(trial_.internal, trial_.increment);
   attempt.forces = trial_.forces;
   const auto imbalance = contact_.imbalance(trial_.internal, trial_.forces);
-  attempt.force_residual = norm(imbalance) / reference_force();
+  attempt.force_residual =
+      std::max(norm(imbalance) / reference_force(), tool_imbalance());
   attempt.point = point_of_largest(imbalance);
   return true;
 }
@@ -236,6 +237,18 @@ double Equilibrium::reference_force() const
   return std::max({trial_.forces.reactions,
                    smallest_reaction * peak_reactions_,
                    std::numeric_limits<double>::min()});
+}
+
+double Equilibrium::tool_imbalance() const
+{
+  const ToolForces &tools = trial_.forces;
+  const double largest_force = std::max({std::abs(tools.upper),
+                                         std::abs(tools.lower),
+                                         std::abs(tools.wall_normal),
+                                         smallest_reaction * peak_reactions_,
+                                         std::numeric_limits<double>::min()});
+  return std::abs(tools.upper - tools.lower - tools.wall_friction) /
+         largest_force;
 }
 
 bool Equilibrium::opens(Attempt &attempt) const

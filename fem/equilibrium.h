@@ -90,6 +90,8 @@ private:
   };
 
   bool is_newton() const { return settings_.method == NonlinearMethod::newton; }
+  /// |upper - lower - wall friction| over the largest force of a tool [-].
+  double tool_imbalance() const;
   double reference_force() const;
   bool update_forces(const PunchMotion &motion, Attempt &attempt);
   std::vector<double> balance_linearised(Attempt &attempt);
