@@ -5,7 +5,7 @@
 set -euo pipefail
 
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-cores=$(nproc)
+cores=$(env -u OMP_NUM_THREADS nproc) # which counts threads otherwise
 jobs=$((cores < 2 ? 2 : cores))
 
 if ! cmake -S "$root" -B "$root/build" -G Ninja -DCMAKE_BUILD_TYPE=Release; then

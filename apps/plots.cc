@@ -177,7 +177,8 @@ unset grid
 unset key
 set pm3d map corners2color c1
 set palette defined (0 "#440154", 1 "#3b528b", 2 "#21918c", 3 "#5ec962", 4 "#fde725")
-set colorbox
+set colorbox horizontal user origin screen 0.16, screen 0.16 size screen 0.68, screen 0.03
+set bmargin at screen 0.30
 splot "density_map.dat" using 1:2:3 with pm3d
 )"},
       {"effort",

@@ -31,7 +31,7 @@ coupling::Material prepare_material(RunSession &session, std::size_t count)
         });
     log.end();
     if (cells)
-      log.detail(fmt::format("packed in {:.3g} s", log.progress().elapsed()));
+      session.result("time_packing[s]", log.progress().elapsed());
     return material;
   } catch (const std::invalid_argument &) {
     throw;

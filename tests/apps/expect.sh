@@ -1,12 +1,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # For tests of wrong inputs: a folder of their own, and expect. Reads $1.
-set -euo pipefail
-export LC_ALL=C
-
-tamp=$1
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work"
+source "$(dirname "${BASH_SOURCE[0]}")/begin.sh"
 failures=0
 
 # expect CODE TEXT... -- COMMAND: the exit code, and one message on stderr with

@@ -2,23 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Runs that succeed leave the folder that users are promised. Usage:
 # good_run.sh TAMP
-set -euo pipefail
-export LC_ALL=C OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
-
-tamp=$1
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work"
-
-fail() {
-  echo "FAILED: $*"
-  exit 1
-}
-has() {
-  for name in "$@"; do
-    [ -s "$name" ] || fail "$name is missing or empty"
-  done
-}
+source "$(dirname "${BASH_SOURCE[0]}")/begin.sh"
 # rectangular FILE: every line has as many fields as the header.
 rectangular() {
   awk -F, '/^#/ { if (fields) exit 1; next }

@@ -2,23 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # A die step that cannot converge ends with exit code 3, says where, and leaves
 # what was reached. Usage: not_converged.sh TAMP
-set -euo pipefail
-export LC_ALL=C OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
-
-tamp=$1
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work"
-
-fail() {
-  echo "FAILED: $*"
-  exit 1
-}
-has() {
-  for name in "$@"; do
-    [ -s "$name" ] || fail "$name is missing or empty"
-  done
-}
+source "$(dirname "${BASH_SOURCE[0]}")/begin.sh"
 
 # A step at rest, then one so long that it asks for too many iterations; it may
 # not be cut.

@@ -2,18 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # A die of one element and a probe of one of its points are the same material
 # under the same deformation. Usage: replay.sh TAMP
-set -euo pipefail
-export LC_ALL=C OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
-
-tamp=$1
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work"
-
-fail() {
-  echo "FAILED: $*"
-  exit 1
-}
+source "$(dirname "${BASH_SOURCE[0]}")/begin.sh"
 # columns FILE NAME...: these columns of all lines, characters untouched.
 columns() {
   local file=$1

@@ -2,18 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # The number of threads changes the time a die takes and nothing else, and the
 # forces on the powder balance. Usage: threads.sh TAMP
-set -euo pipefail
-export LC_ALL=C OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
-
-tamp=$1
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-cd "$work"
-
-fail() {
-  echo "FAILED: $*"
-  exit 1
-}
+source "$(dirname "${BASH_SOURCE[0]}")/begin.sh"
 
 cat > die.prm << 'END'
 subsection Grains

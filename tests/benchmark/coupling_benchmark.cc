@@ -5,6 +5,7 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <algorithm>
 #include <chrono>
 #include <ctime>
 #include <iomanip>
@@ -69,12 +70,13 @@ void point_step(const std::string &name)
          "s");
 }
 
-double time_of_evaluations(unsigned threads)
+double time_of_evaluations(const std::vector<dem::UnitCell> &start_cells,
+                           unsigned threads)
 {
   coupling::CellPointsOptions options;
   options.threads = threads;
   options.warm = false;
-  coupling::UnitCellPoints cells(granules(200, 32), options);
+  coupling::UnitCellPoints cells(start_cells, options);
   fem::Deformation press;
   press.relative_F[0][0] = press.relative_F[1][1] = 1;
   press.relative_F[2][2] = 1 - 5e-3;
@@ -100,7 +102,13 @@ int main(int argc, char **argv)
       wanted(name))
     point_step(name);
   if (const std::string name = "coupling.thread_efficiency.2"; wanted(name)) {
-    const double one = time_of_evaluations(1), two = time_of_evaluations(2);
+    // In turn and the best of each: a shared machine disturbs single runs.
+    const std::vector<dem::UnitCell> cells = granules(200, 32);
+    double one = 1e300, two = 1e300;
+    for (int k = 0; k < 3; ++k) {
+      one = std::min(one, time_of_evaluations(cells, 1));
+      two = std::min(two, time_of_evaluations(cells, 2));
+    }
     report(name, one / (2 * two), "-");
   }
 }

@@ -22,7 +22,7 @@ cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release \
   exit 1
 }
 # shellcheck disable=SC2086
-cmake --build "$build" --parallel "$(nproc)" --target $programs tamp >&2
+cmake --build "$build" --parallel "$(env -u OMP_NUM_THREADS nproc)" --target $programs tamp >&2
 
 lines=$(mktemp)
 trap 'rm -f "$lines"' EXIT
@@ -45,8 +45,9 @@ run_die() {
   {
     echo "$1.wall,$(value 'wall_time\[s\]'),s"
     echo "$1.cell_updates_per_step,$(value 'cell_updates_per_step\[-\]'),-"
-    for part in material assembly linear_solver model; do
-      echo "$1.time.$part,$(value "time_$part\[s\]"),s"
+    for part in packing material assembly linear_solver model; do
+      seconds=$(value "time_$part\[s\]")
+      [ -z "$seconds" ] || echo "$1.time.$part,$seconds,s"
     done
   } >>"$lines"
   rm -rf "$out"
@@ -59,7 +60,7 @@ run_die die_default die_default
 {
   echo "# date: $(date -u +%Y-%m-%dT%H:%M:%SZ)"
   echo "# machine: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo |
-    head -n 1), $(nproc) cores, $(uname -sm)"
+    head -n 1), $(env -u OMP_NUM_THREADS nproc) cores, $(uname -sm)"
   echo "# version: $(git -C "$root" describe --always --dirty 2>/dev/null ||
     echo unknown)"
   echo "# load: $(cut -d ' ' -f 1-3 /proc/loadavg)"
