@@ -60,7 +60,9 @@ DieOutput::DieOutput(const RunSession &session,
         point_header(),
         std::vector<std::string>{
             "compression is positive; axes x = r, y = hoop, z = axis",
-            "replay: tamp probe with Path/Stages = csv THIS FILE"}));
+            "replay, to the bit while pressing with cold cells: tamp probe "
+            "with the same grains, Packing/Sample = this point's number and "
+            "Path/Stages = csv THIS FILE"}));
 }
 
 void DieOutput::choose_points()

@@ -57,13 +57,15 @@ void declare_geometry(ParameterTable &table)
 void declare_schedule(ParameterTable &table)
 {
   table.enter("Schedule");
-  table.text("Stages",
-             "press to density 0.85; unload to 5 % of peak; eject by 1 mm "
-             "holding 5 % of peak",
-             "Divided by semicolons: press to density D, displacement L, force "
-             "F or pressure P; unload to R % of peak, force F, pressure P, or "
-             "by L; eject to rim or by L, holding R % of peak (upper punch); "
-             "hold N steps");
+  table.text(
+      "Stages",
+      "press to density 0.85; unload to 5 % of peak; eject by 1 mm "
+      "holding 5 % of peak",
+      "Divided by semicolons: press to density D, displacement L, force "
+      "F or pressure P; unload to R % of peak, force F, pressure P, or "
+      "by L; eject to rim (until the upper face is there) or by L, holding R % "
+      "of peak (upper punch); "
+      "hold N steps");
   table.leave();
 }
 
@@ -221,6 +223,14 @@ void read_schedule(const ParameterTable &table,
   } catch (const InputError &error) {
     table.complain(path, error.what());
   }
+  for (const fem::Stage &stage : die.stages)
+    if (cells && stage.kind == fem::StageKind::unload && stage.value <= 0 &&
+        stage.target != fem::StageTarget::displacement)
+      table.complain(path,
+                     "unit cells cannot be unloaded to no force at all: grains "
+                     "without adhesion then keep no stress, and any opening is "
+                     "an equilibrium. Expected a few per cent of the peak, for "
+                     "example 'unload to 5 % of peak'");
   for (const fem::Stage &stage : die.stages)
     if (cells && stage.kind == fem::StageKind::eject && stage.hold_share <= 0)
       table.complain(

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace tamp::apps
 {
@@ -88,6 +89,8 @@ void DieResults::take(const fem::StepRecord &record,
   ++steps_;
   updates_ += record.material_updates;
   cuts_ += record.cuts;
+  doubtful_points_ += record.doubtful_points;
+  doubtful_steps_ += record.doubtful_points > 0;
   evaluations_ += effort.evaluations;
   worst_balance_ = std::max(worst_balance_, imbalance(record));
   worst_unbalance_ = std::max(worst_unbalance_, effort.worst_unbalance);
@@ -138,6 +141,14 @@ void DieResults::give(RunSession &session) const
   session.result("final_mean_relative_density[-]", last_.mean_relative_density);
   session.result("cell_updates_per_step[-]", ratio(updates_, steps_));
   session.result("worst_force_imbalance[-]", worst_balance_);
+  session.result("doubtful_points[-]", static_cast<double>(doubtful_points_));
+  if (doubtful_points_ > 0)
+    session.warn(fmt::format(
+        "{} answers of material points, in {} steps, were doubtful: grains did "
+        "not settle within Cell/Maximum evaluations, or a law was asked beyond "
+        "its tables",
+        doubtful_points_,
+        doubtful_steps_));
   if (evaluations_ > 0) {
     session.result("force_evaluations_per_cell[-]", evaluations_);
     session.result("worst_unbalance[-]", worst_unbalance_);

@@ -131,6 +131,12 @@ void declare_packing(ParameterTable &table)
   table.flag("Same at all points",
              false,
              "All material points start from the same packing");
+  table.integer("Sample",
+                0,
+                0,
+                "Number of the run's packing that a probe takes, or the "
+                "first point of a die: point N of a die is sample N of a "
+                "probe with the same seed");
   table.leave();
 }
 
@@ -154,7 +160,7 @@ void declare_cell(ParameterTable &table)
                  {0, 0.1, true, false},
                  "A larger one is divided; quasi-static");
   table.integer("Maximum evaluations",
-                1000,
+                3000,
                 10,
                 "Of all contact forces for an increment; quasi-static");
   table.flag("Warm start",
@@ -242,6 +248,8 @@ void read_grains(const ParameterTable &table,
       table.number("Packing/Friction during packing");
 
   material.same_packing = table.on("Packing/Same at all points");
+  material.first_packing =
+      static_cast<std::size_t>(table.whole("Packing/Sample"));
 
   dem::Driving &driving = material.driving;
   driving.method = chosen<dem::Method>(table, "Cell/Method", methods);

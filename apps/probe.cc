@@ -96,6 +96,12 @@ public:
       session_.result("force_evaluations[-]", evaluations_);
       session_.result("worst_unbalance[-]", worst_unbalance_);
     }
+    session_.result("doubtful_steps[-]", doubtful_);
+    if (doubtful_ > 0)
+      session_.warn(fmt::format(
+          "the answers of {} steps were doubtful: grains did not settle within "
+          "Cell/Maximum evaluations, or a law was asked beyond its tables",
+          doubtful_));
     draw();
     return end;
   }
@@ -123,16 +129,16 @@ private:
       if (caught_signal())
         throw Interrupted();
     };
+    fem::PathEnd end = fem::PathEnd::finished;
     try {
-      const fem::PathEnd end =
-          path_.gradients.empty()
-              ? fem::drive_path(
-                    *material_.points,
-                    stages_,
-                    [this](unsigned stage) { begin(stage); },
-                    observe,
-                    session_.input().stress_tolerance)
-              : replay(observe);
+      end = path_.gradients.empty()
+                ? fem::drive_path(
+                      *material_.points,
+                      stages_,
+                      [this](unsigned stage) { begin(stage); },
+                      observe,
+                      session_.input().stress_tolerance)
+                : replay(observe);
       if (end == fem::PathEnd::finished)
         return {};
     } catch (const Interrupted &) {
@@ -140,6 +146,13 @@ private:
     }
     const std::string problem =
         material_.cells ? material_.cells->report().problem : "";
+    if (end == fem::PathEnd::not_reached)
+      return {exit_not_converged,
+              fmt::format("the stage did not meet its stress: after step {} "
+                          "axial strain is {:.4g}, axial stress {:.4g} MPa",
+                          step_,
+                          strain_,
+                          axial_ / 1e6)};
     return {exit_not_converged,
             fmt::format("the increment after step {} did not converge{}, at "
                         "axial strain {:.4g}, axial stress {:.4g} MPa, "
@@ -223,6 +236,7 @@ private:
       worst_unbalance_ =
           std::max(worst_unbalance_, material_.cells->report().worst_unbalance);
     }
+    doubtful_ += record.response.status == fem::Status::doubtful;
   }
 
   void report(const fem::PathRecord &record)
@@ -280,6 +294,7 @@ private:
   double strain_ = 0, axial_ = 0, lateral_ = 0, density_ = 0;
   double peak_ = 0, strain_at_peak_ = 0;
   double evaluations_ = 0, worst_unbalance_ = 0;
+  unsigned doubtful_ = 0;
 };
 } // namespace
 

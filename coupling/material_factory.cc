@@ -85,10 +85,14 @@ Material make_cells(const MaterialChoice &choice,
   options.driving = choice.driving;
   options.threads = choice.threads;
   options.warm = choice.warm;
-  auto points = std::make_unique<UnitCellPoints>(
-      make_packings(
-          choice.packing, count, choice.same_packing, choice.threads, progress),
-      options);
+  auto points =
+      std::make_unique<UnitCellPoints>(make_packings(choice.packing,
+                                                     count,
+                                                     choice.same_packing,
+                                                     choice.threads,
+                                                     progress,
+                                                     choice.first_packing),
+                                       options);
   Material material;
   material.cells = points.get();
   material.points = std::move(points);

@@ -46,8 +46,9 @@ struct CapChoice {
 /// the other materials are not used.
 struct MaterialChoice {
   MaterialKind kind = MaterialKind::unit_cell;
-  dem::PackingRequest packing; ///< its seed is that of the run
-  bool same_packing = false;   ///< all points start from the packing of point 0
+  dem::PackingRequest packing;   ///< its seed is that of the run
+  bool same_packing = false;     ///< all points start from the first packing
+  std::size_t first_packing = 0; ///< of the run's packings, that of point 0
   dem::Driving driving;
   bool warm = true; ///< see CellPointsOptions
   unsigned threads = 1;

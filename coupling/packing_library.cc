@@ -13,7 +13,8 @@ make_packings(const dem::PackingRequest &request,
               std::size_t count,
               bool same,
               unsigned threads,
-              const std::function<void(std::size_t)> &made)
+              const std::function<void(std::size_t)> &made,
+              std::size_t first)
 {
   std::vector<dem::UnitCell> cells(same && count > 0 ? 1 : count);
   std::vector<std::size_t> order(cells.size());
@@ -22,7 +23,7 @@ make_packings(const dem::PackingRequest &request,
   std::size_t done = 0;
   share_work(order, threads, [&](std::size_t i) {
     dem::PackingRequest mine = request;
-    mine.seed = dem::seed_of(request.seed, i);
+    mine.seed = dem::seed_of(request.seed, first + i);
     cells[i] = dem::make_packing(mine);
     const std::lock_guard lock(reporting);
     ++done;

@@ -12,8 +12,9 @@
 namespace tamp::coupling
 {
 /// A packing for each of `count` points. Point i gets the seed
-/// dem::seed_of(request.seed, i), so a packing depends on the run's seed and
-/// its point only; or all points share the packing of point 0 if `same` is set.
+/// dem::seed_of(request.seed, first + i), so a packing depends on the run's
+/// seed and its number only; or all points share the first packing if `same` is
+/// set.
 /// @param made  called after each packing with the number done so far, from any
 ///              thread, never from two at once. May be empty.
 std::vector<dem::UnitCell>
@@ -21,7 +22,8 @@ make_packings(const dem::PackingRequest &request,
               std::size_t count,
               bool same,
               unsigned threads,
-              const std::function<void(std::size_t)> &made = {});
+              const std::function<void(std::size_t)> &made = {},
+              std::size_t first = 0);
 } // namespace tamp::coupling
 
 #endif

@@ -105,6 +105,8 @@ void UnitCellPoints::evaluate(std::span<const fem::Deformation> deformations,
   share_work(order, options_.threads, [&](std::size_t i) {
     Point &point = points_[i];
     point.problem.clear();
+    point.answer = {};
+    point.asymmetry = 0;
     try {
       evaluate_point(point, deformations[i], want, responses[i]);
     } catch (const std::exception &error) { // no such state of the cell

@@ -27,7 +27,7 @@ struct QuasiStatic {
   double force_floor = 0;
   /// A larger stretch increment is divided into equal parts [-].
   double maximum_strain_increment = 1e-2;
-  std::size_t maximum_evaluations = 1000; ///< of all forces, per part
+  std::size_t maximum_evaluations = 3000; ///< of all forces, per part
 };
 
 /// Settings of the damped dynamics of Sheng et al. (2004), eqs (1)-(6).

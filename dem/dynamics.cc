@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <dem/dynamics.h>
+#include <dem/hill_mandel.h>
 #include <dem/measures.h>
 #include <dem/stretch.h>
 #include <dem/sweep_layout.h>
@@ -7,12 +8,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace tamp::dem
 {
 namespace
 {
+// Grains under a larger mean force, over the contact force, are not near static
+// equilibrium.
+constexpr double largest_unbalance = 1e-2;
+
 double grain_mass(const UnitCell &cell, std::size_t i, double scaling)
 {
   const double r = cell.radius[i];
@@ -34,6 +40,7 @@ private:
   void kick();
   void drift(std::size_t step);
   double unbalance(const SweepTotals &totals) const;
+  std::vector<double> last_motion() const;
 
   UnitCell &cell_;
   SweepLayout layout_;
@@ -138,6 +145,19 @@ void Motion::drift(std::size_t step)
   }
 }
 
+/// What each grain did in the last step: displacement, radius x rotation [m].
+std::vector<double> Motion::last_motion() const
+{
+  std::vector<double> motion;
+  for (std::size_t i = 0; i < cell_.size(); ++i) {
+    const Vector3 moved = step_ * cell_.velocity[i];
+    const Vector3 rolled = step_ * cell_.radius[i] * cell_.spin[i];
+    motion.insert(motion.end(), moved.begin(), moved.end());
+    motion.insert(motion.end(), rolled.begin(), rolled.end());
+  }
+  return motion;
+}
+
 double Motion::unbalance(const SweepTotals &totals) const
 {
   double sum = 0;
@@ -185,6 +205,10 @@ CellAnswer Motion::run()
   answer.evaluations = steps_;
   answer.stress = love_weber_stress(cell_);
   answer.unbalance = unbalance(totals);
+  if (answer.unbalance > largest_unbalance)
+    answer.outcome = Outcome::unsettled;
+  answer.hill_mandel =
+      hill_mandel_residual(cell_, step_back_, last_motion());
   cell_.energy.work +=
       0.25 * (old_volume + cell_.box.volume()) *
       ((old_stress + answer.stress).array() * log_stretch_.array()).sum();

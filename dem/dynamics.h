@@ -10,7 +10,8 @@ namespace tamp::dem
 /// Damped motion of the grains in a cell that deforms at a constant rate of
 /// stretching, as in Sheng et al. (2004), eqs (1) and (2), by leapfrog. Contact
 /// memory is written every step. Velocities stay in the cell, so a path may be
-/// driven in pieces. Arguments as those of deform().
+/// driven in pieces. `unsettled` if the unbalance at the end is above 1e-2.
+/// Arguments as those of deform().
 CellAnswer deform_by_dynamics(UnitCell &cell,
                               const Stretch &stretch,
                               const Dynamics &settings);

@@ -113,7 +113,11 @@ UnitCell make_packing(const PackingRequest &request)
   if (request.friction_during_packing >= 0)
     cell.contact.friction_coefficient = request.friction_during_packing;
   IsotropicCompression(cell, request.pressure).run();
-  cell.contact = request.contact;
+  if (cell.contact != request.contact) {
+    // Contacts that the friction of the run cannot hold slip now.
+    cell.contact = request.contact;
+    deform(cell, Stretch::Identity(), {});
+  }
   cell.reference_volume = cell.box.volume();
   cell.last = {};
   cell.energy = {};

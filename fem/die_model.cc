@@ -130,9 +130,7 @@ struct DieModel::Implementation {
     failure.point = attempt.point;
     failure.position =
         point_geometry(mesh, state.positions, attempt.point).position;
-    failure.stress = equilibrium.trial_response(attempt.point).stress;
-    if (!std::isfinite(failure.stress.norm()))
-      failure.stress = state.responses[attempt.point].stress;
+    failure.stress = state.responses[attempt.point].stress;
   }
 
   /// Tries a proposal, shorter and shorter if need be. False if the step gets

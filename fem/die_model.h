@@ -39,7 +39,8 @@ struct StepRecord {
   double stage_progress = 0; ///< 0 to 1
 };
 
-/// Why and where a run could not go on.
+/// Why and where a run could not go on. Position and stress are those of the
+/// last accepted state.
 struct Failure {
   std::string reason;
   std::size_t point = 0;

@@ -110,8 +110,9 @@ Equilibrium::Equilibrium(const DieMesh::Data &mesh,
   trial_.increment.assign(mesh.number_of_dofs(), 0.);
   trial_.responses.resize(points.size());
   Attempt start;
-  deform(start);
-  evaluate(Want::stress, start);
+  if (!deform(start) || !evaluate(Want::stress, start))
+    throw std::runtime_error("material point " + std::to_string(start.point) +
+                             " has no state to start from: " + start.reason);
   state_.responses = trial_.responses;
   contact_.begin(stiffness_, PunchMotion(), state_.wall_friction);
   state_.forces =

@@ -29,16 +29,22 @@ public:
        const double stress_tolerance)
       : probe_(points), observe_(observe), tolerance_(stress_tolerance)
   {
-    stress_ =
-        components(probe_.evaluate(stretch(strain_), Want::stress).stress);
+    const Response &start = probe_.evaluate(stretch(strain_), Want::stress);
+    started_ = start.status != Status::failed;
+    if (!started_)
+      return;
+    stress_ = components(start.stress);
     report();
   }
 
-  bool run(const PathStage &stage, const unsigned index)
+  /// Whether the point has a state to start from.
+  bool started() const { return started_; }
+
+  PathEnd run(const PathStage &stage, const unsigned index)
   {
     begin(stage, index);
     if (stage.has_until && beyond(stress_))
-      return true;
+      return PathEnd::finished;
     constexpr double most_cuts = 256, smallest_step = 1e-9;
     const double longest = nominal_;
     for (double place = 0, step = nominal_; place < 1;) {
@@ -47,7 +53,7 @@ public:
       if (!attempt(place + step, step)) {
         step /= 2;
         if (step < 0.999 * std::min(nominal_, 1 - place) / most_cuts)
-          return false;
+          return PathEnd::not_converged;
         continue;
       }
       const double size =
@@ -55,14 +61,14 @@ public:
       if (size > 1.5) { // the stress asks for more strain than expected
         nominal_ = step = step * std::max(0.1, 0.9 / size);
         if (nominal_ < smallest_step)
-          return false;
+          return PathEnd::not_converged;
         continue;
       }
       if (stage.has_until && beyond(trial_stress_)) {
         if (!refine(place, step))
-          return false;
+          return PathEnd::not_converged;
         accept(step);
-        return true;
+        return PathEnd::finished;
       }
       accept(step);
       place = step >= 1 - place ? 1 : place + step;
@@ -70,7 +76,7 @@ public:
         nominal_ = std::min(longest, 1.5 * nominal_);
       step = std::min(nominal_, 2 * step);
     }
-    return true;
+    return stage.has_until ? PathEnd::not_reached : PathEnd::finished;
   }
 
 private:
@@ -187,6 +193,7 @@ private:
   Goal goal_;
   double nominal_ = 1, last_step_ = 0;
   Six begin_strain_{}, end_strain_{}, begin_stress_{}, end_stress_{};
+  bool started_ = false;
   Six last_increment_{};
 };
 } // namespace
@@ -198,11 +205,14 @@ PathEnd drive_path(MaterialPoints &points,
                    const double stress_tolerance)
 {
   Walk walk(points, observe, stress_tolerance);
+  if (!walk.started())
+    return PathEnd::not_converged;
   for (unsigned index = 0; index < stages.size(); ++index) {
     if (stage_begins)
       stage_begins(index);
-    if (!walk.run(stages[index], index))
-      return PathEnd::not_converged;
+    const PathEnd end = walk.run(stages[index], index);
+    if (end != PathEnd::finished)
+      return end;
   }
   return PathEnd::finished;
 }

@@ -50,7 +50,11 @@ struct PathRecord {
   Response response;
 };
 
-enum class PathEnd { finished, not_converged };
+enum class PathEnd {
+  finished,
+  not_converged,
+  not_reached ///< a stage came to its end without meeting its stress
+};
 
 /// Takes point 0 of `points` along stages; calls `observe` after the start
 /// state (step 0) and after each committed increment. `stage_begins` is called

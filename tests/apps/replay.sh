@@ -59,6 +59,17 @@ columns probe/curve.csv $stresses 'relative_density[-]' | tail -n +2 > probe.txt
 [ "$(wc -l < die.txt)" -gt 5 ] || fail "only $(wc -l < die.txt) steps"
 cmp die.txt probe.txt || fail "the replay of a point has other stresses"
 
+# So do those of any point of a die with friction, cell and path its own.
+"$tamp" die cell.prm -o friction -q --no-plots --set 'Die/Elements = 1, 2' \
+  --set 'Die/Wall friction coefficient = 0.2' --set 'Output/Grain points = 5'
+"$tamp" probe cell.prm -o sample -q --no-plots --set 'Packing/Sample = 5' \
+  --set 'Path/Stages = csv friction/grains/point_0005.csv'
+columns friction/grains/point_0005.csv $stresses > die.txt
+columns sample/curve.csv $stresses | tail -n +2 > probe.txt
+[ "$(wc -l < die.txt)" -gt 5 ] || fail "only $(wc -l < die.txt) steps"
+cut -d, -f1-6 die.txt | cmp - probe.txt ||
+  fail "the replay of a point of many has other stresses"
+
 # With the same packing everywhere and no friction the punch feels what one
 # cell feels.
 "$tamp" die cell.prm -o same -q --no-plots \

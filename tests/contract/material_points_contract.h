@@ -37,6 +37,8 @@ struct ContractDefaults {
   /// What the tangent promises, and its largest relative error [-].
   static Tangent tangent() { return Tangent::consistent; }
   static double tangent_tolerance() { return 1e-6; }
+  /// How much stiffer than the secant an upper bound may be [-].
+  static double most_stiff() { return 1; }
   /// Strain of the differences the tangent is compared with [-].
   static double probe_strain() { return 1e-6; }
   /// Largest relative error of the density against det F [-]: rounding.
@@ -314,6 +316,8 @@ TYPED_TEST_P(MaterialPointsContract, TangentDescribesTheStress)
   EXPECT_GE(strain * (answer.tangent * strain),
             (1 - Traits::tangent_tolerance()) *
                 (strain * (answer.stress - rest.stress)));
+  EXPECT_LE(strain * (answer.tangent * strain),
+            Traits::most_stiff() * (strain * (answer.stress - rest.stress)));
   for (unsigned i = 0; i < 3; ++i)
     for (unsigned j = i; j < 3; ++j) {
       const auto unit = symmetrize(this->unit_strain(i, j));
