@@ -25,6 +25,25 @@ expect 2 'Output/Grain points' '112' 'from 0 to 111' -- "$tamp" die bad.prm \
 printf 'no mesh' > empty.msh
 expect 2 'Mesh file' 'empty.msh' -- "$tamp" die bad.prm -o results \
   --set 'Die/Shape = file' --set 'Die/Mesh file = empty.msh'
+# What the rooms below refuse is refused before a folder is made.
+expect 2 'Grains/Count' '20' -- "$tamp" probe bad.prm -o results \
+  "${cells[@]}" --set 'Grains/Count = 12'
+expect 2 'Packing/Initial relative density' '0.38' -- "$tamp" probe bad.prm \
+  -o results "${cells[@]}" --set 'Packing/Initial relative density = 0.4'
+law='Material/Drucker-Prager cap'
+cap=(--set 'Material/Type = drucker-prager cap')
+expect 2 "$law/Friction angle" '1.5' -- "$tamp" die bad.prm -o results \
+  "${cap[@]}" --set "$law/Friction angle = 86.5 deg"
+expect 2 "$law/Hydrostatic yield pressure" 'at least 2' -- "$tamp" die bad.prm \
+  -o results "${cap[@]}" --set "$law/Hardening densities = 1" \
+  --set "$law/Hydrostatic yield pressure = 1 MPa"
+expect 2 'Schedule/Stages' 'density' -- "$tamp" die bad.prm -o results \
+  --set 'Schedule/Stages = press to density 0'
+expect 2 'Path/Stages' 'stage 1' "'-0.1'" 'above 0' -- "$tamp" probe bad.prm \
+  -o results --set 'Path/Stages = uniaxial to strain -0.1'
+printf '1,0,0,0,1,0,0,0,1\n1,0,0\n' > short.csv
+expect 2 'Path/Stages' 'short.csv:2' -- "$tamp" probe bad.prm -o results \
+  --set "Path/Stages = csv $PWD/short.csv"
 [ ! -e results ] || { echo "FAILED: results were written"; exit 1; }
 
 echo 'a file' > file
