@@ -15,14 +15,26 @@ namespace tamp::apps
 {
 namespace
 {
-unsigned checked_threads(int wanted)
+unsigned checked_threads(const std::optional<int> &wanted)
 {
-  if (wanted == -1)
+  if (!wanted)
     return available_cores();
-  if (wanted < 1)
+  if (*wanted < 1)
     throw InputError(fmt::format(
-        "--threads {}: expected a whole number of at least 1", wanted));
-  return static_cast<unsigned>(wanted);
+        "--threads {}: expected a whole number of at least 1", *wanted));
+  return static_cast<unsigned>(*wanted);
+}
+
+// Every file that the run reads.
+std::vector<std::filesystem::path> files_of(const RunOptions &options,
+                                            const RunInput &input)
+{
+  std::vector<std::filesystem::path> files{options.input};
+  if (!input.path.gradients.empty())
+    files.push_back(input.path.gradients);
+  if (!input.die.geometry.mesh_file.empty())
+    files.emplace_back(input.die.geometry.mesh_file);
+  return files;
 }
 
 std::string status_of(ExitCode code)
@@ -73,7 +85,8 @@ RunSession::RunSession(const std::string &command,
 
   const auto path = options.output.empty() ? "results" / options.input.stem()
                                            : options.output;
-  folder_ = std::make_unique<RunFolder>(path, options.force);
+  folder_ = std::make_unique<RunFolder>(
+      path, options.force, files_of(options, input_));
   folder_->write("input.prm",
                  fmt::format("# All parameters of this run in SI, tamp {}.\n{}",
                              build_facts().version,

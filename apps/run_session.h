@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,7 +31,7 @@ struct RunOptions {
   std::filesystem::path input;
   std::filesystem::path output; ///< empty: results/<name of the input>
   std::vector<std::string> settings;
-  int threads = -1; ///< -1: all cores this process may use
+  std::optional<int> threads; ///< none: all cores this process may use
   bool force = false;
   bool plots = true;
   Verbosity verbosity = Verbosity::normal;

@@ -10,6 +10,13 @@ expect 2 'Packing/Seed' -- \
 expect 2 '--set' "'Packing'" -- \
   "$tamp" probe bad.prm -o results --set 'Paking/Seed = 2'
 expect 2 'threads' -- "$tamp" probe bad.prm -o results --threads 0
+expect 2 'threads' -- "$tamp" probe bad.prm -o results --threads -1
+# Of several ranks one speaks, and none writes.
+OMPI_COMM_WORLD_SIZE=2 OMPI_COMM_WORLD_RANK=0 \
+  expect 2 'one rank' '--threads' -- "$tamp" die bad.prm -o results
+OMPI_COMM_WORLD_SIZE=2 OMPI_COMM_WORLD_RANK=1 \
+  "$tamp" die bad.prm -o results > out.txt 2>&1 || fail "the second rank"
+[ ! -s out.txt ] || fail "the second rank speaks"
 expect 2 'missing.prm' -- "$tamp" probe missing.prm -o results
 expect 2 'a command' 'die, probe' -- "$tamp"
 expect 2 "'dye'" "'die'" -- "$tamp" dye bad.prm
@@ -59,8 +66,34 @@ if [ "$(cat results/curve.csv)" != precious ] ||
   failures=$((failures + 1))
 fi
 echo keep > results/notes.txt
-"$tamp" probe bad.prm -o results --force --no-plots -q \
-  --set 'Path/Stages = uniaxial to strain 0.01'
+
+# --force overwrites runs of tamp, and never what the run reads.
+unchanged() {
+  find "$1" -type f -exec sha1sum {} + | sort > after.txt
+  cmp -s before.txt after.txt || fail "$1 was changed"
+}
+remember() { find "$1" -type f -exec sha1sum {} + | sort > before.txt; }
+short=(--no-plots -q --set 'Path/Stages = uniaxial to strain 0.01')
+mkdir results/plots results/fields
+echo mine > results/plots/mine.svg
+for text in '' '{"program": "other"}' '["tamp"]'; do
+  [ -z "$text" ] || echo "$text" > results/run.json
+  remember results
+  expect 2 'results' 'run.json' -- "$tamp" probe bad.prm -o results --force
+  unchanged results
+done
+echo '{"program": "tamp"}' > results/run.json
+printf '1,0,0,0,1,0,0,0,1\n' > results/fields/path.csv
+cp bad.prm results/input.prm
+remember results
+expect 2 'input.prm' '--force' -- \
+  "$tamp" probe results/input.prm -o results --force
+expect 2 'path.csv' '--force' -- "$tamp" probe bad.prm -o results --force \
+  --set "Path/Stages = csv $PWD/results/fields/path.csv"
+unchanged results
+"$tamp" probe bad.prm -o results --force "${short[@]}"
+mkdir empty
+"$tamp" probe bad.prm -o empty --force "${short[@]}"
 if [ "$(cat results/notes.txt)" != keep ] || grep -q precious results/curve.csv
 then
   echo "FAILED: --force did not overwrite the results and these only"
