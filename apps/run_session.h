@@ -66,7 +66,7 @@ public:
   /// Does the work of the run, then writes run.json and summary.txt, says how
   /// it ended, and gives the program's exit code. Exceptions of the work end
   /// the run like any other end: InputError and std::invalid_argument with 2,
-  /// all others with 4.
+  /// what cannot be written with 4, all others with 3.
   int run(const std::function<RunEnd()> &work);
   /// The end after a signal that was caught.
   static RunEnd interrupted(int signal);

@@ -100,5 +100,17 @@ then
   failures=$((failures + 1))
 fi
 
+# A disk that is full: complete lines, and what was reached so far.
+(
+  trap '' XFSZ
+  ulimit -f 40
+  expect 4 'full/curve.csv' 'results so far' -- "$tamp" probe bad.prm -o full \
+    --no-plots -q --set 'Path/Stages = uniaxial to strain 0.1' \
+    --set 'Path/Maximum strain increment = 1e-4'
+  [ "$failures" -eq 0 ]
+) || failures=$((failures + 1))
+[ "$(tail -c 1 full/curve.csv)" = '' ] || fail "the last line is cut"
+grep -q '"final_strain' full/run.json || fail "full: results so far"
+
 echo "$failures failures"
 [ "$failures" -eq 0 ]
