@@ -40,12 +40,18 @@ void CurveWriter::append(const std::string &line)
     const ssize_t written = ::write(descriptor_, rest, left);
     if (written < 0 && errno == EINTR)
       continue;
-    if (written < 0)
+    if (written < 0) {
+      const int error = errno;
+      // Nothing remains of a line that was cut; where even this fails, the
+      // file is no regular one.
+      [[maybe_unused]] const int ignored = ::ftruncate(descriptor_, complete_);
       throw OutputError(fmt::format(
-          "'{}' cannot be written: {}", file_.string(), std::strerror(errno)));
+          "'{}' cannot be written: {}", file_.string(), std::strerror(error)));
+    }
     rest += written;
     left -= static_cast<std::size_t>(written);
   }
+  complete_ += static_cast<off_t>(line.size());
 }
 
 void CurveWriter::write(std::span<const double> values)

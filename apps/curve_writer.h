@@ -6,6 +6,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <sys/types.h>
 #include <vector>
 
 namespace tamp::apps
@@ -40,6 +41,7 @@ private:
   std::filesystem::path file_;
   std::size_t columns_;
   int descriptor_ = -1;
+  off_t complete_ = 0; // bytes of all lines so far
 };
 } // namespace tamp::apps
 

@@ -64,6 +64,21 @@ public:
 
   RunEnd work()
   {
+    RunEnd end;
+    try {
+      end = press();
+    } catch (...) {
+      give(); // the results so far
+      throw;
+    }
+    give();
+    draw();
+    return end;
+  }
+
+private:
+  RunEnd press()
+  {
     RunLog &log = session_.log();
     log.begin(fmt::format("pressing {} points, {} stages",
                           mesh_.number_of_points(),
@@ -73,13 +88,9 @@ public:
     const RunEnd end = advance();
     log.end();
     output_.write(model_.last_step().step, true);
-    results_.give(session_);
-    give_times();
-    draw();
     return end;
   }
 
-private:
   RunEnd advance()
   {
     while (true) {
@@ -229,8 +240,9 @@ private:
                            : failure.reason + " (" + problem + ")";
   }
 
-  void give_times()
+  void give()
   {
+    results_.give(session_);
     const fem::ModelTimes times = model_.times();
     session_.result("time_material[s]", times.material);
     session_.result("time_assembly[s]", times.assembly);
@@ -244,15 +256,12 @@ private:
       return;
     const auto folder = session_.folder().subfolder("plots");
     write_map(folder / "density_map.dat", map_);
-    const auto first_other =
-        std::ranges::find_if(settings_.stages, [](const auto &stage) {
-          return stage.kind != StageKind::press;
-        });
-    const std::string problem =
-        draw_plots(folder,
-                   die_plots(static_cast<unsigned>(
-                       std::distance(settings_.stages.begin(), first_other))),
-                   session_.input().output.plot_formats);
+    std::vector<unsigned> press_stages;
+    for (unsigned i = 0; i < settings_.stages.size(); ++i)
+      if (kind(i) == StageKind::press)
+        press_stages.push_back(i + 1);
+    const std::string problem = draw_plots(
+        folder, die_plots(press_stages), session_.input().output.plot_formats);
     if (!problem.empty())
       session_.log().warn(problem);
   }

@@ -2,6 +2,7 @@
 #include <apps/input_sections.h>
 #include <apps/parameter_table.h>
 #include <apps/schedule.h>
+#include <apps/value_checks.h>
 #include <fem/die_mesh.h>
 
 #include <cmath>
@@ -80,7 +81,8 @@ void declare_tolerances(ParameterTable &table)
                  "1e-2",
                  dimension::number,
                  a_strain,
-                 "Last change of the displacement over the step's increment");
+                 "Last change of the displacement over the step's increment, "
+                 "which counts as at least 0.5 % of the height");
   table.choice(
       "Linear algebra", "petsc", {"petsc"}, "Who solves linear systems");
   table.choice("Linear solver", "direct", {"direct"}, "direct: MUMPS");
@@ -262,6 +264,21 @@ std::size_t read_die(const ParameterTable &table,
   const fem::DieMesh mesh = make_mesh(table, die.geometry);
   read_schedule(table, cells, mesh.radius(), die);
   read_solver(table, cells, die);
+  check_values(table,
+               {"Schedule/Stages",
+                "Die/Radius",
+                "Die/Fill height",
+                "Die/Wall friction coefficient",
+                "Solver/Force tolerance",
+                "Solver/Displacement tolerance",
+                "Solver/Maximum iterations",
+                "Solver/First step",
+                "Solver/Maximum step",
+                "Solver/Maximum unloading step",
+                "Solver/Minimum step",
+                "Solver/Step growth",
+                "Solver/Step cut"},
+               [&] { die.check(); });
   return mesh.number_of_points();
 }
 } // namespace tamp::apps

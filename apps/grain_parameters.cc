@@ -27,7 +27,7 @@ Choice chosen(const ParameterTable &table,
 void declare_sizes(ParameterTable &table)
 {
   table.enter("Grains");
-  table.integer("Count", 1000, 10, "Grains in a unit cell");
+  table.integer("Count", 1000, 20, "Grains in a unit cell");
   table.choice("Diameter distribution",
                "uniform",
                distributions,
@@ -110,7 +110,7 @@ void declare_packing(ParameterTable &table)
   table.quantity("Initial relative density",
                  "0.35",
                  dimension::number,
-                 {0.05, 0.5, false, false},
+                 {0.05, 0.38, false, false},
                  "Of the loose random start, before compression");
   table.quantity("Pressure",
                  "100 kPa",
@@ -166,7 +166,7 @@ void declare_cell(ParameterTable &table)
   table.flag("Warm start",
              true,
              "Start from the last trial of the same step: half the work, same "
-             "answer within the tolerance; quasi-static, die only");
+             "answer within the tolerance; quasi-static");
   table.choice(
       "Precision", "double", {"double"}, "Of the numbers grains move with");
   table.quantity("Strain rate",

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <apps/input_sections.h>
 #include <apps/parameter_table.h>
+#include <apps/value_checks.h>
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -75,7 +76,7 @@ void declare_cap(ParameterTable &table)
                    "54.35, 68.78, 68.34, 68.03, 68.07, 67.42, 66.51, 66.32, "
                    "65.69, 63.40 deg",
                    dimension::angle,
-                   {0, 1.5607, true, true},
+                   {0, 1.5, true, true},
                    "beta of the shear line in the p-q plane at the shape "
                    "densities");
   table.quantities("Cap eccentricity",
@@ -161,6 +162,72 @@ coupling::CapChoice read_cap(const ParameterTable &table)
                    "expected pressures that increase with density");
   return cap;
 }
+
+std::vector<std::string> below(const std::string &section,
+                               const std::vector<std::string> &names)
+{
+  std::vector<std::string> paths;
+  for (const std::string &name : names)
+    paths.push_back(section + "/" + name);
+  return paths;
+}
+
+void check_cells(const ParameterTable &table,
+                 const coupling::MaterialChoice &material)
+{
+  check_values(table,
+               {"Grains/Count",
+                "Grains/Minimum diameter",
+                "Grains/Maximum diameter",
+                "Grains/Mean diameter",
+                "Grains/Standard deviation",
+                "Grains/Young's modulus",
+                "Grains/Poisson's ratio",
+                "Grains/Density",
+                "Contact/Friction coefficient",
+                "Contact/Limiting contact pressure",
+                "Packing/Initial relative density",
+                "Packing/Pressure"},
+               [&] { material.packing.check(); });
+  check_values(table,
+               below("Cell",
+                     {"Method",
+                      "Unbalance tolerance",
+                      "Maximum strain increment",
+                      "Strain rate",
+                      "Density scaling",
+                      "Time step fraction",
+                      "Global damping"}),
+               [&] { material.driving.check(); });
+}
+
+// What the rooms below refuse is refused here, before anything is written.
+void check_material(const ParameterTable &table,
+                    const coupling::MaterialChoice &material)
+{
+  std::vector<std::string> names{"Initial relative density",
+                                 "Elastic densities",
+                                 "Young's modulus",
+                                 "Poisson's ratio"};
+  const auto make = [&] { coupling::make_material(material, 1); };
+  switch (material.kind) {
+  case coupling::MaterialKind::unit_cell:
+    check_cells(table, material);
+    break;
+  case coupling::MaterialKind::elastic:
+    check_values(table, below("Material/Elastic", names), make);
+    break;
+  case coupling::MaterialKind::drucker_prager_cap:
+    for (const char *name : {"Cohesion",
+                             "Friction angle",
+                             "Cap eccentricity",
+                             "Hardening densities",
+                             "Hydrostatic yield pressure"})
+      names.emplace_back(name);
+    check_values(table, below("Material/Drucker-Prager cap", names), make);
+    break;
+  }
+}
 } // namespace
 
 void declare_material(ParameterTable &table)
@@ -185,5 +252,6 @@ void read_material(const ParameterTable &table,
       table.number("Material/Elastic/Initial relative density");
   material.elastic.elasticity = read_elasticity(table, "Material/Elastic");
   material.cap = read_cap(table);
+  check_material(table, material);
 }
 } // namespace tamp::apps

@@ -2,6 +2,7 @@
 #include <apps/nearest_name.h>
 #include <apps/parameter_entry.h>
 #include <apps/parameter_file.h>
+#include <apps/parameter_print.h>
 #include <apps/parameter_table.h>
 
 #include <deal.II/base/parameter_handler.h>
@@ -9,8 +10,6 @@
 #include <algorithm>
 #include <cassert>
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
-#include <ostream>
 #include <sstream>
 
 namespace tamp::apps
@@ -357,77 +356,24 @@ void ParameterTable::complain(const std::string &path,
 
 void ParameterTable::print(std::ostream &out, TableFormat format) const
 {
-  const auto &entries = implementation_->entries;
-  if (format == TableFormat::prm) {
+  switch (format) {
+  case TableFormat::prm:
     implementation_->handler.print_parameters(
         out,
         dealii::ParameterHandler::PRM |
             dealii::ParameterHandler::KeepDeclarationOrder);
-    return;
-  }
-  if (format == TableFormat::json) {
-    nlohmann::ordered_json tree;
-    for (const ParameterEntry &entry : entries) {
-      nlohmann::ordered_json *node = &tree;
-      for (const std::string &name : entry.section)
-        node = &(*node)[name];
-      (*node)[entry.name] = {{"value", entry.value},
-                             {"default", entry.default_value},
-                             {"unit", entry.pattern.unit()},
-                             {"range", entry.pattern.limits()},
-                             {"documentation", entry.text}};
-    }
-    out << tree.dump(2) << '\n';
-    return;
-  }
-  out << "# Parameters\n\nA value may carry a unit (`200 MPa`, `600 um`, `30 "
-         "deg`); a bare number is SI.\n";
-  Section section;
-  for (const ParameterEntry &entry : entries) {
-    if (entry.section != section) {
-      section = entry.section;
-      out << fmt::format("\n## {}\n\n| name | default | range | unit | meaning "
-                         "|\n|---|---|---|---|---|\n",
-                         fmt::join(section, " / "));
-    }
-    const EntryPattern &pattern = entry.pattern;
-    out << fmt::format(
-        "| {} | {} | {} | {} | {} |\n",
-        entry.name,
-        entry.default_value.empty() ? "(empty)"
-                                    : fmt::format("`{}`", entry.default_value),
-        pattern.limits().empty() ? pattern.expected() : pattern.limits(),
-        pattern.unit().empty() ? "-" : pattern.unit(),
-        entry.text);
+    break;
+  case TableFormat::json:
+    print_json(out, implementation_->entries);
+    break;
+  case TableFormat::md:
+    print_markdown(out, implementation_->entries);
+    break;
   }
 }
 
 void ParameterTable::echo(std::ostream &out) const
 {
-  Section section;
-  const auto indent = [&] { return std::string(2 * section.size(), ' '); };
-  const auto leave = [&] {
-    section.pop_back();
-    out << indent() << "end\n";
-  };
-  for (const ParameterEntry &entry : implementation_->entries) {
-    while (section.size() > entry.section.size() ||
-           !std::equal(section.begin(), section.end(), entry.section.begin()))
-      leave();
-    while (section.size() < entry.section.size()) {
-      out << indent() << "subsection " << entry.section[section.size()] << '\n';
-      section.push_back(entry.section[section.size()]);
-    }
-    out << fmt::format("{}set {} = {}{}\n",
-                       indent(),
-                       entry.name,
-                       entry.pattern.in_si(entry.value),
-                       entry.pattern.unit().empty() ||
-                               entry.pattern.unit() == "-"
-                           ? ""
-                           : fmt::format(" # [{}]", entry.pattern.unit()));
-  }
-  while (!section.empty())
-    leave();
+  print_in_si(out, implementation_->entries);
 }
 } // namespace tamp::apps

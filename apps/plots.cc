@@ -2,6 +2,8 @@
 #include <apps/curve_writer.h>
 #include <apps/plots.h>
 
+#include <array>
+#include <cerrno>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <fstream>
@@ -116,8 +118,11 @@ void write_map(const std::filesystem::path &file,
     throw OutputError(fmt::format("'{}' cannot be written", file.string()));
 }
 
-std::vector<Plot> die_plots(unsigned press_stages)
+std::vector<Plot> die_plots(const std::vector<unsigned> &press_stages)
 {
+  std::string pressing = "0";
+  for (const unsigned stage : press_stages)
+    pressing += fmt::format(" || column(\"stage\") == {}", stage);
   return {
       {"compaction",
        R"(set title "Compaction curve"
@@ -156,11 +161,11 @@ set xlabel "mean relative density [-]"
 set ylabel "force ratio [-]"
 set key left bottom
 set yrange [0:1.05]
-press(name, by) = column("stage") <= {} && column(by) > 0 ? column(name) / column(by) : NaN
+press(name, by) = ({}) && column(by) > 0 ? column(name) / column(by) : NaN
 plot "../curve.csv" using (column("mean_relative_density[-]")):(press("lower_force[N]", "upper_force[N]")) with lines title "lower / upper punch force", \
      "" using (column("mean_relative_density[-]")):(press("wall_pressure[Pa]", "upper_pressure[Pa]")) with lines title "wall / upper punch pressure"
 )",
-                   press_stages)},
+                   pressing)},
       {"density_map",
        R"(set title "Relative density at the end of pressing"
 unset datafile

@@ -34,9 +34,9 @@ struct ValueQuadrilateral {
 void write_map(const std::filesystem::path &file,
                const std::vector<ValueQuadrilateral> &map);
 
-/// Plots of ../curve.csv of a die; `press_stages` counts the stages at the
-/// start of the schedule that press. The density map needs density_map.dat.
-std::vector<Plot> die_plots(unsigned press_stages);
+/// Plots of ../curve.csv of a die; `press_stages` are the numbers, from
+/// 1, of the stages that press. The density map needs density_map.dat.
+std::vector<Plot> die_plots(const std::vector<unsigned> &press_stages);
 
 /// Plots of ../curve.csv of a probe.
 std::vector<Plot> probe_plots(bool unit_cell);

@@ -82,9 +82,23 @@ public:
   RunEnd work()
   {
     session_.log().begin("probing");
-    const RunEnd end = drive();
-    session_.log().end();
-    write_grains();
+    RunEnd end;
+    try {
+      end = drive();
+      session_.log().end();
+      write_grains();
+    } catch (...) {
+      give(); // the results so far
+      throw;
+    }
+    give();
+    draw();
+    return end;
+  }
+
+private:
+  void give()
+  {
     session_.result("steps[-]", step_);
     session_.result("peak_axial_stress[Pa]", peak_);
     session_.result("strain_at_peak[-]", strain_at_peak_);
@@ -102,11 +116,8 @@ public:
           "the answers of {} steps were doubtful: grains did not settle within "
           "Cell/Maximum evaluations, or a law was asked beyond its tables",
           doubtful_));
-    draw();
-    return end;
   }
 
-private:
   const dem::Driving &driving() const
   {
     return session_.input().material.driving;

@@ -55,7 +55,7 @@ void stop_at(fem::PathStage &stage, double stress, bool unloading)
 
 double positive_strain(StageReader &reader)
 {
-  return reader.quantity(dimension::number);
+  return reader.positive(dimension::number);
 }
 
 void read_isotropic(StageReader &reader, fem::PathStage &stage)
@@ -85,7 +85,7 @@ void read_unload(StageReader &reader, ProbeStage &probe)
 {
   reader.expect({"to"});
   if (reader.accept("strain")) {
-    compress_to(probe.stage, zz, positive_strain(reader));
+    compress_to(probe.stage, zz, reader.quantity(dimension::number));
     return;
   }
   reader.accept("stress");

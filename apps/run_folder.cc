@@ -4,6 +4,7 @@
 #include <apps/run_folder.h>
 #include <apps/units.h>
 
+#include <algorithm>
 #include <ctime>
 #include <fmt/format.h>
 #include <fstream>
@@ -15,9 +16,9 @@ namespace
 {
 namespace fs = std::filesystem;
 
-// What runs write; nothing else in a folder is ever removed.
-constexpr const char *own_names[] = {"run.json",
-                                     "input.prm",
+// What runs write; nothing else in a folder is ever removed. The mark of a run
+// goes last: what could not be removed can be, next time.
+constexpr const char *own_names[] = {"input.prm",
                                      "log.txt",
                                      "curve.csv",
                                      "fields.pvd",
@@ -26,7 +27,8 @@ constexpr const char *own_names[] = {"run.json",
                                      "grains",
                                      "plots",
                                      "summary.txt",
-                                     "checkpoint"};
+                                     "checkpoint",
+                                     "run.json"};
 
 double cpu_seconds()
 {
@@ -58,9 +60,60 @@ std::string with_unit(const std::string &name, double value)
     return seconds(value);
   return fmt::format("{:.4g}", value);
 }
+
+bool of_a_run(const fs::path &folder)
+{
+  std::ifstream in(folder / "run.json");
+  const auto tree = nlohmann::json::parse(in, nullptr, false);
+  return tree.is_object() && tree.contains("program") &&
+         tree["program"] == "tamp";
+}
+
+// Whether a file is, or lies in, something that will be removed.
+bool inside(const fs::path &file, const fs::path &removed)
+{
+  std::error_code error;
+  const fs::path inner = fs::weakly_canonical(file, error);
+  const fs::path outer =
+      fs::weakly_canonical(removed.parent_path(), error) / removed.filename();
+  return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end())
+             .first == outer.end();
+}
+
+void check_removal(const fs::path &folder, const std::vector<fs::path> &needed)
+{
+  std::error_code error;
+  if (!fs::is_empty(folder, error) && !of_a_run(folder))
+    throw InputError(fmt::format(
+        "--force: '{}' is not the folder of a run: it has no run.json of tamp. "
+        "Nothing was changed; choose another folder with --output",
+        folder.string()));
+  for (const fs::path &file : needed)
+    for (const char *name : own_names)
+      if (inside(file, folder / name))
+        throw InputError(fmt::format(
+            "--force would remove '{}', which this run reads. Nothing was "
+            "changed; move the file, or choose another folder with --output",
+            file.string()));
+}
+
+void remove_results(const fs::path &folder)
+{
+  for (const char *name : own_names) {
+    std::error_code error;
+    fs::remove_all(folder / name, error);
+    if (error)
+      throw OutputError(fmt::format("'{}' cannot be removed: {}",
+                                    (folder / name).string(),
+                                    error.message()));
+  }
+}
 } // namespace
 
-RunFolder::RunFolder(const fs::path &folder, bool force) : folder_(folder)
+RunFolder::RunFolder(const fs::path &folder,
+                     bool force,
+                     const std::vector<fs::path> &needed)
+    : folder_(folder)
 {
   std::error_code error;
   const bool exists = fs::exists(folder, error);
@@ -73,10 +126,10 @@ RunFolder::RunFolder(const fs::path &folder, bool force) : folder_(folder)
                     "--force to overwrite the results in it, or --output to "
                     "write elsewhere",
                     folder.string()));
-  if (exists)
-    for (const char *name : own_names)
-      fs::remove_all(folder / name, error);
-  else
+  if (exists) {
+    check_removal(folder, needed);
+    remove_results(folder);
+  } else
     fs::create_directories(folder, error);
   if (error)
     throw OutputError(fmt::format("the folder '{}' cannot be written: {}",

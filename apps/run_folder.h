@@ -18,10 +18,14 @@ namespace tamp::apps
 class RunFolder
 {
 public:
-  /// Makes the folder. Throws InputError if it exists and `force` is off;
-  /// with `force`, results of an earlier run in it are removed, other files
-  /// stay. Throws OutputError if it cannot be made or written.
-  RunFolder(const std::filesystem::path &folder, bool force);
+  /// Makes the folder. Throws InputError, and changes nothing, if it exists
+  /// and `force` is off. With `force`, results of an earlier run in it are
+  /// removed, other files stay; throws InputError, and changes nothing, if it
+  /// is neither empty nor the folder of a run, or if one of the files `needed`
+  /// would be removed. Throws OutputError if it cannot be made or written.
+  RunFolder(const std::filesystem::path &folder,
+            bool force,
+            const std::vector<std::filesystem::path> &needed = {});
 
   const std::filesystem::path &path() const { return folder_; }
   /// Makes a folder in it. Throws OutputError.

@@ -72,6 +72,11 @@ void read_path(const ParameterTable &table, RunInput &input)
     gradients = table.folder(path) / gradients;
     if (!std::filesystem::is_regular_file(gradients))
       table.complain(path, "there is no file '" + gradients.string() + "'");
+    try {
+      read_gradients(gradients);
+    } catch (const InputError &error) {
+      table.complain(path, error.what());
+    }
   }
   input.stress_tolerance = table.number("Path/Stress tolerance");
 }

@@ -5,24 +5,65 @@
 
 #include <algorithm>
 #include <csignal>
+#include <filesystem>
 #include <fmt/format.h>
+#include <ios>
+#include <new>
 #include <sched.h>
 #include <sstream>
 #include <stdexcept>
+#include <string_view>
 #include <thread>
 
 namespace tamp::apps
 {
 namespace
 {
-unsigned checked_threads(int wanted)
+unsigned checked_threads(const std::optional<int> &wanted)
 {
-  if (wanted == -1)
+  if (!wanted)
     return available_cores();
-  if (wanted < 1)
+  if (*wanted < 1)
     throw InputError(fmt::format(
-        "--threads {}: expected a whole number of at least 1", wanted));
-  return static_cast<unsigned>(wanted);
+        "--threads {}: expected a whole number of at least 1", *wanted));
+  return static_cast<unsigned>(*wanted);
+}
+
+// Every file that the run reads.
+std::vector<std::filesystem::path> files_of(const RunOptions &options,
+                                            const RunInput &input)
+{
+  std::vector<std::filesystem::path> files{options.input};
+  if (!input.path.gradients.empty())
+    files.push_back(input.path.gradients);
+  if (!input.die.geometry.mesh_file.empty())
+    files.emplace_back(input.die.geometry.mesh_file);
+  return files;
+}
+
+bool about_output(const std::exception &error)
+{
+  return dynamic_cast<const OutputError *>(&error) ||
+         dynamic_cast<const std::filesystem::filesystem_error *>(&error) ||
+         dynamic_cast<const std::ios_base::failure *>(&error) ||
+         std::string_view(error.what()).find("cannot write") !=
+             std::string_view::npos;
+}
+
+// The words of a message; of deal.II's, the line that says what is wrong.
+std::string one_line(std::string text)
+{
+  const std::string mark = "Additional information:";
+  if (const auto at = text.find(mark); at != std::string::npos)
+    text.erase(0, at + mark.size());
+  for (const char *end : {"Stacktrace:", "-----"})
+    if (const auto at = text.find(end); at != std::string::npos && at > 0)
+      text.erase(at);
+  std::istringstream in(text);
+  std::string line;
+  for (std::string word; in >> word;)
+    line += (line.empty() ? "" : " ") + word;
+  return line.empty() ? "the computation failed" : line;
 }
 
 std::string status_of(ExitCode code)
@@ -73,7 +114,8 @@ RunSession::RunSession(const std::string &command,
 
   const auto path = options.output.empty() ? "results" / options.input.stem()
                                            : options.output;
-  folder_ = std::make_unique<RunFolder>(path, options.force);
+  folder_ = std::make_unique<RunFolder>(
+      path, options.force, files_of(options, input_));
   folder_->write("input.prm",
                  fmt::format("# All parameters of this run in SI, tamp {}.\n{}",
                              build_facts().version,
@@ -110,8 +152,11 @@ int RunSession::run(const std::function<RunEnd()> &work)
       return {exit_input, error.what()};
     } catch (const std::invalid_argument &error) {
       return {exit_input, error.what()};
+    } catch (const std::bad_alloc &) {
+      return {exit_not_converged, "the memory does not suffice"};
     } catch (const std::exception &error) {
-      return {exit_output, error.what()};
+      return {about_output(error) ? exit_output : exit_not_converged,
+              one_line(error.what())};
     }
   };
   return finish(attempt());

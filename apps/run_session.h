@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,7 +31,7 @@ struct RunOptions {
   std::filesystem::path input;
   std::filesystem::path output; ///< empty: results/<name of the input>
   std::vector<std::string> settings;
-  int threads = -1; ///< -1: all cores this process may use
+  std::optional<int> threads; ///< none: all cores this process may use
   bool force = false;
   bool plots = true;
   Verbosity verbosity = Verbosity::normal;
@@ -65,7 +66,7 @@ public:
   /// Does the work of the run, then writes run.json and summary.txt, says how
   /// it ended, and gives the program's exit code. Exceptions of the work end
   /// the run like any other end: InputError and std::invalid_argument with 2,
-  /// all others with 4.
+  /// what cannot be written with 4, all others with 3.
   int run(const std::function<RunEnd()> &work);
   /// The end after a signal that was caught.
   static RunEnd interrupted(int signal);

@@ -95,6 +95,17 @@ double StageReader::quantity(const Dimension &dimension)
   return quantity.value;
 }
 
+double StageReader::positive(const Dimension &dimension)
+{
+  const std::size_t start = next_;
+  const double value = quantity(dimension);
+  if (!(value > 0)) {
+    next_ = start;
+    fail("a number above 0; compression is positive");
+  }
+  return value;
+}
+
 unsigned StageReader::whole()
 {
   const std::size_t start = next_;

@@ -26,6 +26,8 @@ public:
   std::size_t expect(const std::vector<std::string> &words);
   /// Takes a number and its unit.
   double quantity(const Dimension &dimension);
+  /// Takes a number above zero and its unit.
+  double positive(const Dimension &dimension);
   /// Takes a number with any unit or none.
   Quantity any_quantity();
   unsigned whole();

@@ -6,9 +6,12 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdlib>
 #include <exception>
 #include <fmt/format.h>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace
@@ -49,6 +52,34 @@ void add_run_options(CLI::App &command, RunOptions &options)
       "Say everything, without a bar");
   command.add_flag_callback(
       "--no-plots", [&options] { options.plots = false; }, "Draw no plots");
+}
+
+// Value of an environment variable as a number; none if it is not set.
+std::optional<int> number_in_environment(const char *name)
+{
+  const char *text = std::getenv(name);
+  if (!text || !*text)
+    return {};
+  return std::atoi(text);
+}
+
+// Throws InputError on the first of several ranks, before anything is written;
+// false on the others, which leave the message and the exit code to it.
+bool alone()
+{
+  for (const auto &[ranks, rank] :
+       {std::pair("OMPI_COMM_WORLD_SIZE", "OMPI_COMM_WORLD_RANK"),
+        std::pair("PMI_SIZE", "PMI_RANK")}) {
+    const int count = number_in_environment(ranks).value_or(1);
+    if (count <= 1)
+      continue;
+    if (number_in_environment(rank).value_or(0) > 0)
+      return false;
+    throw InputError(fmt::format("this version runs on one rank, not on {}; "
+                                 "use --threads N instead of mpirun -np N",
+                                 count));
+  }
+  return true;
 }
 
 struct OtherOptions {
@@ -117,12 +148,12 @@ int run(int argc, char **argv)
 
   CLI::App *die = app.add_subcommand("die", "Press a powder in a die");
   add_run_options(*die, options);
-  die->callback([&] { code = run_die(options); });
+  die->callback([&] { code = alone() ? run_die(options) : exit_done; });
 
   CLI::App *probe =
       app.add_subcommand("probe", "Take one material point along a path");
   add_run_options(*probe, options);
-  probe->callback([&] { code = run_probe(options); });
+  probe->callback([&] { code = alone() ? run_probe(options) : exit_done; });
 
   add_other_commands(app, other, code);
   app.add_subcommand("cite", "Print BibTeX entries")->callback([&] {

@@ -207,8 +207,7 @@ CellAnswer Motion::run()
   answer.unbalance = unbalance(totals);
   if (answer.unbalance > largest_unbalance)
     answer.outcome = Outcome::unsettled;
-  answer.hill_mandel =
-      hill_mandel_residual(cell_, step_back_, last_motion());
+  answer.hill_mandel = hill_mandel_residual(cell_, step_back_, last_motion());
   cell_.energy.work +=
       0.25 * (old_volume + cell_.box.volume()) *
       ((old_stress + answer.stress).array() * log_stretch_.array()).sum();

@@ -10,6 +10,13 @@ expect 2 'Packing/Seed' -- \
 expect 2 '--set' "'Packing'" -- \
   "$tamp" probe bad.prm -o results --set 'Paking/Seed = 2'
 expect 2 'threads' -- "$tamp" probe bad.prm -o results --threads 0
+expect 2 'threads' -- "$tamp" probe bad.prm -o results --threads -1
+# Of several ranks one speaks, and none writes.
+OMPI_COMM_WORLD_SIZE=2 OMPI_COMM_WORLD_RANK=0 \
+  expect 2 'one rank' '--threads' -- "$tamp" die bad.prm -o results
+OMPI_COMM_WORLD_SIZE=2 OMPI_COMM_WORLD_RANK=1 \
+  "$tamp" die bad.prm -o results > out.txt 2>&1 || fail "the second rank"
+[ ! -s out.txt ] || fail "the second rank speaks"
 expect 2 'missing.prm' -- "$tamp" probe missing.prm -o results
 expect 2 'a command' 'die, probe' -- "$tamp"
 expect 2 "'dye'" "'die'" -- "$tamp" dye bad.prm
@@ -25,6 +32,25 @@ expect 2 'Output/Grain points' '112' 'from 0 to 111' -- "$tamp" die bad.prm \
 printf 'no mesh' > empty.msh
 expect 2 'Mesh file' 'empty.msh' -- "$tamp" die bad.prm -o results \
   --set 'Die/Shape = file' --set 'Die/Mesh file = empty.msh'
+# What the rooms below refuse is refused before a folder is made.
+expect 2 'Grains/Count' '20' -- "$tamp" probe bad.prm -o results \
+  "${cells[@]}" --set 'Grains/Count = 12'
+expect 2 'Packing/Initial relative density' '0.38' -- "$tamp" probe bad.prm \
+  -o results "${cells[@]}" --set 'Packing/Initial relative density = 0.4'
+law='Material/Drucker-Prager cap'
+cap=(--set 'Material/Type = drucker-prager cap')
+expect 2 "$law/Friction angle" '1.5' -- "$tamp" die bad.prm -o results \
+  "${cap[@]}" --set "$law/Friction angle = 86.5 deg"
+expect 2 "$law/Hydrostatic yield pressure" 'at least 2' -- "$tamp" die bad.prm \
+  -o results "${cap[@]}" --set "$law/Hardening densities = 1" \
+  --set "$law/Hydrostatic yield pressure = 1 MPa"
+expect 2 'Schedule/Stages' 'density' -- "$tamp" die bad.prm -o results \
+  --set 'Schedule/Stages = press to density 0'
+expect 2 'Path/Stages' 'stage 1' "'-0.1'" 'above 0' -- "$tamp" probe bad.prm \
+  -o results --set 'Path/Stages = uniaxial to strain -0.1'
+printf '1,0,0,0,1,0,0,0,1\n1,0,0\n' > short.csv
+expect 2 'Path/Stages' 'short.csv:2' -- "$tamp" probe bad.prm -o results \
+  --set "Path/Stages = csv $PWD/short.csv"
 [ ! -e results ] || { echo "FAILED: results were written"; exit 1; }
 
 echo 'a file' > file
@@ -40,13 +66,51 @@ if [ "$(cat results/curve.csv)" != precious ] ||
   failures=$((failures + 1))
 fi
 echo keep > results/notes.txt
-"$tamp" probe bad.prm -o results --force --no-plots -q \
-  --set 'Path/Stages = uniaxial to strain 0.01'
+
+# --force overwrites runs of tamp, and never what the run reads.
+unchanged() {
+  find "$1" -type f -exec sha1sum {} + | sort > after.txt
+  cmp -s before.txt after.txt || fail "$1 was changed"
+}
+remember() { find "$1" -type f -exec sha1sum {} + | sort > before.txt; }
+short=(--no-plots -q --set 'Path/Stages = uniaxial to strain 0.01')
+mkdir results/plots results/fields
+echo mine > results/plots/mine.svg
+for text in '' '{"program": "other"}' '["tamp"]'; do
+  [ -z "$text" ] || echo "$text" > results/run.json
+  remember results
+  expect 2 'results' 'run.json' -- "$tamp" probe bad.prm -o results --force
+  unchanged results
+done
+echo '{"program": "tamp"}' > results/run.json
+printf '1,0,0,0,1,0,0,0,1\n' > results/fields/path.csv
+cp bad.prm results/input.prm
+remember results
+expect 2 'input.prm' '--force' -- \
+  "$tamp" probe results/input.prm -o results --force
+expect 2 'path.csv' '--force' -- "$tamp" probe bad.prm -o results --force \
+  --set "Path/Stages = csv $PWD/results/fields/path.csv"
+unchanged results
+"$tamp" probe bad.prm -o results --force "${short[@]}"
+mkdir empty
+"$tamp" probe bad.prm -o empty --force "${short[@]}"
 if [ "$(cat results/notes.txt)" != keep ] || grep -q precious results/curve.csv
 then
   echo "FAILED: --force did not overwrite the results and these only"
   failures=$((failures + 1))
 fi
+
+# A disk that is full: complete lines, and what was reached so far.
+(
+  trap '' XFSZ
+  ulimit -f 40
+  expect 4 'full/curve.csv' 'results so far' -- "$tamp" probe bad.prm -o full \
+    --no-plots -q --set 'Path/Stages = uniaxial to strain 0.1' \
+    --set 'Path/Maximum strain increment = 1e-4'
+  [ "$failures" -eq 0 ]
+) || failures=$((failures + 1))
+[ "$(tail -c 1 full/curve.csv)" = '' ] || fail "the last line is cut"
+grep -q '"final_strain' full/run.json || fail "full: results so far"
 
 echo "$failures failures"
 [ "$failures" -eq 0 ]

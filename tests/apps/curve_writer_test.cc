@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <apps/curve_writer.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <string>
+#include <sys/resource.h>
 #include <unistd.h>
 
 using namespace tamp::apps;
@@ -46,4 +48,29 @@ TEST(CurveWriter, KeepsAllDigits)
 TEST(CurveWriter, SaysWhichFileCannotBeWritten)
 {
   EXPECT_THROW(CurveWriter("/dev/null/curve.csv", {"step"}), OutputError);
+}
+
+TEST(CurveWriter, KeepsOnlyCompleteLinesWhenTheDiskIsFull)
+{
+  const auto file = std::filesystem::temp_directory_path() /
+                    ("tamp_full_" + std::to_string(getpid()) + ".csv");
+  // A limit on the size of files cuts a line like a disk that is full.
+  rlimit before{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+  const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+  {
+    CurveWriter curve(file, {"step", "stress[Pa]"});
+    curve.write(std::vector<double>{1, 2});
+    rlimit small = before;
+    small.rlim_cur = std::filesystem::file_size(file) + 5;
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+    EXPECT_THROW(curve.write(std::vector<double>{2, 123456789}), OutputError);
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+  }
+  std::signal(SIGXFSZ, handler);
+  const auto lines = lines_of(file);
+  ASSERT_EQ(lines.size(), 2u);
+  EXPECT_EQ(lines.back(), "1,2");
+  EXPECT_EQ(std::filesystem::file_size(file), 20u);
+  std::filesystem::remove(file);
 }

@@ -242,12 +242,12 @@ TEST(DieWithCells, PressesUnloadsAndEjects)
   Advance end;
   while ((end = die.advance()) == Advance::stepped) {
     const fem::StepRecord &step = die.last_step();
-    EXPECT_LE(std::abs(step.upper_force - step.lower_force -
-                       step.wall_friction_force),
-              settings.solver.force_tolerance *
-                  std::max({step.upper_force,
-                            step.lower_force,
-                            step.wall_normal_force}))
+    EXPECT_LE(
+        std::abs(step.upper_force - step.lower_force -
+                 step.wall_friction_force),
+        settings.solver.force_tolerance *
+            std::max(
+                {step.upper_force, step.lower_force, step.wall_normal_force}))
         << "step " << step.step;
   }
   ASSERT_EQ(end, Advance::finished) << die.failure().reason;

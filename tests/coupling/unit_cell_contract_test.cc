@@ -15,7 +15,7 @@ struct ContractTraits<UnitCells> : ContractDefaults {
   static Tangent tangent() { return Tangent::upper_bound; }
   static double tangent_tolerance() { return 0.1; }
   // Affine motion without rotation is at most a few times too stiff.
-  static double most_stiff() { return 4; }
+  static double most_stiff() { return 6; }
   static double probe_strain() { return 1e-3; }
 
   static std::unique_ptr<MaterialPoints> make()

@@ -208,8 +208,7 @@ TEST(QuasiStatic, AgreesWithSlowDynamicsFromLooseToDense)
   for (int k = 0; k < 4; ++k) {
     const CellAnswer reference = compress(slow, part, 1, driving);
     for (UnitCell *cell : {&fine, &coarse}) {
-      const CellAnswer map =
-          compress(*cell, part, cell == &fine ? 90 : 18, {});
+      const CellAnswer map = compress(*cell, part, cell == &fine ? 90 : 18, {});
       // Rearrangements that come sooner or later, and what is left of the rate.
       EXPECT_LT(difference(map.stress, reference.stress), 0.02);
     }
