@@ -226,10 +226,10 @@ private:
         failure.point,
         1e3 * failure.position[0],
         1e3 * failure.position[1],
-        -stress[0][0] / 1e6,
-        -stress[1][1] / 1e6,
-        -stress[2][2] / 1e6,
-        -stress[0][2] / 1e6);
+        (0 - stress[0][0]) / 1e6,
+        (0 - stress[1][1]) / 1e6,
+        (0 - stress[2][2]) / 1e6,
+        (0 - stress[0][2]) / 1e6);
   }
 
   std::string reason(const fem::Failure &failure) const
