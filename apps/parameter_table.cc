@@ -4,12 +4,14 @@
 #include <apps/parameter_file.h>
 #include <apps/parameter_print.h>
 #include <apps/parameter_table.h>
+#include <apps/planned_names.h>
 
 #include <deal.II/base/parameter_handler.h>
 
 #include <algorithm>
 #include <cassert>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <sstream>
 
 namespace tamp::apps
@@ -137,6 +139,8 @@ struct ParameterTable::Implementation {
     if (hint.empty() && !names.empty())
       hint = fmt::format("; did you mean '{}'?",
                          nearest_name(assignment.name, names));
+    if (is_planned_entry(joined(assignment.section) + "/" + assignment.name))
+      hint = " (not in this version)";
     throw InputError(
         assignment.section.empty()
             ? fmt::format("{}: there is no entry '{}' outside of a section{}",

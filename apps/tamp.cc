@@ -2,6 +2,7 @@
 #include <apps/build_facts.h>
 #include <apps/commands.h>
 #include <apps/nearest_name.h>
+#include <apps/planned_names.h>
 #include <apps/units.h>
 
 #include <CLI/CLI.hpp>
@@ -9,6 +10,7 @@
 #include <cstdlib>
 #include <exception>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <optional>
 #include <string>
 #include <utility>
@@ -125,6 +127,11 @@ void check_command(const CLI::App &app, int argc, char **argv)
     throw InputError(
         fmt::format("expected a command: {}; 'tamp --help' says more", all));
   const std::string word = argv[1];
+  if (is_planned_command(word))
+    throw InputError(fmt::format("the command '{}' is not in this version; "
+                                 "commands are {}",
+                                 word,
+                                 all));
   if (!word.starts_with('-') && !std::ranges::count(commands, word))
     throw InputError(fmt::format("there is no command '{}'; did you mean "
                                  "'{}'? Commands are {}",

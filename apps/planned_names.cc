@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <apps/planned_names.h>
+
+#include <algorithm>
+#include <array>
+
+namespace tamp::apps
+{
+namespace
+{
+constexpr std::array<std::string_view, 5> entries{
+    "Contact/Rolling friction coefficient",
+    "Contact/Work of adhesion",
+    "Die/Punch friction coefficient",
+    "Output/Checkpoint interval",
+    "Packing/File"};
+constexpr std::array<std::string_view, 8> commands{"calibrate",
+                                                   "check",
+                                                   "compare",
+                                                   "contact",
+                                                   "fit",
+                                                   "inspect",
+                                                   "pack",
+                                                   "selftest"};
+} // namespace
+
+bool is_planned_entry(std::string_view path)
+{
+  return std::ranges::count(entries, path) > 0;
+}
+
+bool is_planned_command(std::string_view name)
+{
+  return std::ranges::count(commands, name) > 0;
+}
+} // namespace tamp::apps

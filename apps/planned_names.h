@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef apps_planned_names_h
+#define apps_planned_names_h
+
+#include <string_view>
+
+namespace tamp::apps
+{
+/// Whether an entry, "Section/Name", is promised to users but not in this
+/// version.
+bool is_planned_entry(std::string_view path);
+
+/// Whether a command is promised to users but not in this version.
+bool is_planned_command(std::string_view name);
+} // namespace tamp::apps
+
+#endif
