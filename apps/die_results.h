@@ -32,7 +32,6 @@ public:
   void take(const fem::StepRecord &record,
             fem::StageKind kind,
             const StepEffort &effort);
-  double peak_force() const { return peak_.upper_force; }
   /// Hands all results to the session.
   void give(RunSession &session) const;
 

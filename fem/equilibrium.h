@@ -70,11 +70,6 @@ public:
 
   /// Increment of displacement of the last attempt [m].
   const Displacement &increment() const { return trial_.increment; }
-  /// Response of a point in the last attempt.
-  const Response &trial_response(std::size_t point) const
-  {
-    return trial_.responses[point];
-  }
 
   unsigned evaluations() const { return evaluations_; }
   const SolverTimes &times() const { return times_; }

@@ -5,7 +5,7 @@
 #include <dem/laws/pair_law.h>
 
 #include <algorithm>
-#include <numbers>
+#include <cmath>
 
 namespace tamp::dem
 {
