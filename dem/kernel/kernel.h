@@ -76,6 +76,8 @@ struct KernelLoops {
   Gather gather;
   std::array<Law, std::variant_size_v<AnyNormalLaw>> normal;
   std::array<Law, std::variant_size_v<AnyTangentialLaw>> tangential;
+  /// The same, with the lost work in the totals.
+  std::array<Law, std::variant_size_v<AnyTangentialLaw>> booked_tangential;
   Scatter scatter;
   Stress stress;
   GrainLoops<T> grains;

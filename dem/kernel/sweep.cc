@@ -71,6 +71,8 @@ SweepTotals sweep(InstructionSet set,
     std::fill_n(row.force, 8, T(0));
   for (const auto &group : contacts.groups()) {
     const KindOfLaws kind = kind_of_laws(laws.of_kind(group.kind));
+    const auto rub = frozen ? loops.tangential[kind.tangential_index]
+                            : loops.booked_tangential[kind.tangential_index];
     for (std::size_t b = 0; b < group.blocks; b += Chunk<T>::blocks) {
       const std::size_t at = group.first_block + b;
       ContactBlock<T> *const memory = contacts.blocks().data() + at;
@@ -86,8 +88,7 @@ SweepTotals sweep(InstructionSet set,
       KernelTotals<T> part;
       loops.gather(rows.data(), lanes, here, chunk);
       loops.normal[kind.normal_index](kind.normal, here, chunk, part);
-      loops.tangential[kind.tangential_index](
-          kind.tangential, here.past(kind.normal_rows), chunk, part);
+      rub(kind.tangential, here.past(kind.normal_rows), chunk, part);
       loops.scatter(here, chunk, rows.data());
       if (request.moment)
         loops.stress(here, chunk, sums);
