@@ -38,9 +38,7 @@ struct alignas(64) Chunk {
   T radius_difference[size];                  ///< R_j - R_i [m]
   T inverse_mass[size];                       ///< 1/m* [1/kg]
   T force[size];                              ///< N [N]
-  T contact_radius[size];                     ///< a [m]
   T pull_off[size];                           ///< N_c [N]
-  T rub_x[size], rub_y[size], rub_z[size];    ///< T on the first grain [N]
 };
 } // namespace tamp::dem
 

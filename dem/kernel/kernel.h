@@ -74,6 +74,7 @@ struct KernelLoops {
                           double *sums);
 
   Gather gather;
+  Gather gather_with_grains; ///< masses and radii, too
   std::array<Law, std::variant_size_v<AnyNormalLaw>> normal;
   std::array<Law, std::variant_size_v<AnyTangentialLaw>> tangential;
   /// The same, with the lost work in the totals.

@@ -30,8 +30,9 @@ Triple<P> times(const P (&matrix)[9], const Triple<P> &v)
   return {row(0), row(1), row(2)};
 }
 
-/// Geometry and relative motion of all pairs of a chunk.
-template <class T>
+/// Geometry and relative motion of all pairs of a chunk, and what the laws of
+/// some pairs want to know of the two grains.
+template <class T, bool with_grains>
 void gather(const GrainRow<T> *rows,
             const AffineLanes<T> &affine,
             const ChunkOfBlocks<T> &contacts,
@@ -87,8 +88,10 @@ void gather(const GrainRow<T> *rows,
       slip.y.store(chunk.slip_y + k);
       slip.z.store(chunk.slip_z + k);
       spin.store(chunk.spin + k);
-      place[3].store(chunk.radius_difference + k);
-      place[7].store(chunk.inverse_mass + k);
+      if constexpr (with_grains) {
+        place[3].store(chunk.radius_difference + k);
+        place[7].store(chunk.inverse_mass + k);
+      }
     }
 }
 
@@ -160,7 +163,6 @@ void push(const void *constants,
       more.store(contacts.more_after + b * stride, lane);
 
       answer.force.store(chunk.force + k);
-      answer.contact_radius.store(chunk.contact_radius + k);
       answer.pull_off.store(chunk.pull_off + k);
       force_sum += abs(answer.force);
       touching += select(touches, P(1.0), P(0.0));
@@ -199,7 +201,7 @@ void rub(const void *constants,
       now.spin = P::load(chunk.spin + k);
       now.old_radius = P::load(before.contact_radius + lane);
       now.push = {P::load(chunk.force + k),
-                  P::load(chunk.contact_radius + k),
+                  P::load(after.contact_radius + lane),
                   P::load(chunk.pull_off + k)};
       const Triple<P> old = triple(
           before.force_x + lane, before.force_y + lane, before.force_z + lane);
@@ -211,14 +213,12 @@ void rub(const void *constants,
       for (P &value : more.value)
         value = select(touches, value, P(0.0));
       more.store(contacts.more_after + b * stride, lane);
-      const auto keep = [&](P value, T *memory, T *in_chunk) {
-        const P kept = select(touches, value, P(0.0));
-        kept.store(memory);
-        kept.store(in_chunk);
+      const auto keep = [&](P value, T *memory) {
+        select(touches, value, P(0.0)).store(memory + lane);
       };
-      keep(answer.force.x, after.force_x + lane, chunk.rub_x + k);
-      keep(answer.force.y, after.force_y + lane, chunk.rub_y + k);
-      keep(answer.force.z, after.force_z + lane, chunk.rub_z + k);
+      keep(answer.force.x, after.force_x);
+      keep(answer.force.y, after.force_y);
+      keep(answer.force.z, after.force_z);
       if constexpr (booked)
         lost += select(touches, answer.lost_work, P(0.0));
     }
@@ -238,9 +238,10 @@ void scatter(const ChunkOfBlocks<T> &contacts,
       const Triple<P> n = {P::load(chunk.normal_x + k),
                            P::load(chunk.normal_y + k),
                            P::load(chunk.normal_z + k)};
-      const Triple<P> t = {P::load(chunk.rub_x + k),
-                           P::load(chunk.rub_y + k),
-                           P::load(chunk.rub_z + k)};
+      const ContactBlock<T> &block = contacts.after[b];
+      const Triple<P> t = {P::load(block.force_x + lane),
+                           P::load(block.force_y + lane),
+                           P::load(block.force_z + lane)};
       const Triple<P> force = t - P::load(chunk.force + k) * n;
       const Triple<P> torque = P::load(chunk.arm + k) * cross(n, t);
       const Columns<T> columns = {force.x,
@@ -274,9 +275,10 @@ void add_stress(const ChunkOfBlocks<T> &contacts,
       const Triple<P> n = {P::load(chunk.normal_x + k),
                            P::load(chunk.normal_y + k),
                            P::load(chunk.normal_z + k)};
-      const Triple<P> t = {P::load(chunk.rub_x + k),
-                           P::load(chunk.rub_y + k),
-                           P::load(chunk.rub_z + k)};
+      const ContactBlock<T> &block = contacts.after[b];
+      const Triple<P> t = {P::load(block.force_x + lane),
+                           P::load(block.force_y + lane),
+                           P::load(block.force_z + lane)};
       const P distance = P::load(chunk.arm + k) *
                          P::load(contacts.before[b].radius_sum + lane);
       const Triple<P> f = P::load(chunk.force + k) * n - t;
@@ -295,7 +297,8 @@ template <class T, std::size_t... normal, std::size_t... tangential>
 constexpr KernelLoops<T> all_loops(std::index_sequence<normal...>,
                                    std::index_sequence<tangential...>)
 {
-  return {gather<T>,
+  return {gather<T, false>,
+          gather<T, true>,
           {push<T, std::variant_alternative_t<normal, AnyNormalLaw>>...},
           {rub<T,
                std::variant_alternative_t<tangential, AnyTangentialLaw>,
