@@ -46,6 +46,8 @@ public:
   {
     return V(pull_off_) * radius;
   }
+  /// c [m^(1/2)].
+  double suction() const { return suction_; }
   /// About sqrt(a_f) = (c R* / 4)^(1/3), that of the tear-off [m^(1/2)].
   template <class V>
   V root_scale(const V &radius) const
@@ -67,6 +69,13 @@ public:
     const V over = V(1.0) / (scale * scale);
     return scale *
            jkr_root(pull(radius, scale), (overlap * over) * (radius * over));
+  }
+  /// delta at s [m].
+  template <class V>
+  V overlap(const V &root, const V &radius) const
+  {
+    const V square = root * root;
+    return square * square / radius - V(suction_) * root;
   }
   /// N at s [N].
   template <class V>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <dem/laws/hertz.h>
 #include <dem/laws/jkr.h>
+#include <tests/dem/laws/law_lanes.h>
+#include <tests/dem/laws/law_paths.h>
 
 #include <numbers>
-
-#include "law_paths.h"
 
 namespace tamp::dem
 {

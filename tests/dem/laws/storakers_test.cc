@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <dem/laws/storakers.h>
+#include <tests/dem/laws/law_lanes.h>
+#include <tests/dem/laws/law_paths.h>
 
 #include <numbers>
-
-#include "law_paths.h"
 
 namespace tamp::dem
 {
