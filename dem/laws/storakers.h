@@ -92,8 +92,7 @@ public:
     const double peak = max(memory.largest_overlap, max(overlap, 0.0));
     const double force = slope_ * pair.reduced_radius * peak;
     const double w = min(recovery_ * radius(pair, peak), peak);
-    const double z =
-        min(1.0, (peak - max(overlap, 0.0)) / max(w, double(tiny)));
+    const double z = min(1.0, (peak - max(overlap, 0.0)) / max(w, tiny));
     const double root = sqrt(1 - z * z);
     const double share = root - z * std::acos(z) - root * root * root / 3;
     return {2 / std::numbers::pi * force * w * share,

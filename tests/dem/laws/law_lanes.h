@@ -8,7 +8,8 @@
 namespace tamp::dem
 {
 /// Packs give bit by bit what numbers give, and float what double gives within
-/// 1e-4 of the force at the largest overlap.
+/// 1e-4 of the force at the largest overlap. A lane without a pair, R* = 0,
+/// gives nothing.
 template <class MakeLaw>
 void expect_same_in_packs_and_float(const MakeLaw &make_law)
 {
@@ -46,6 +47,13 @@ void expect_same_in_packs_and_float(const MakeLaw &make_law)
                 answer.contact_radius,
                 2e-3 * peak.contact_radius); // a root of the force's error
     ASSERT_NEAR(rough.pull_off, answer.pull_off, 1e-4 * scale);
+  }
+  for (const double touched : {0.0, 1e-6}) {
+    NormalMemory<double> memory{0, touched};
+    const auto none = make_law(random)(-1e-3, pair_of(0), memory);
+    EXPECT_EQ(none.force, 0);
+    EXPECT_EQ(none.contact_radius, 0);
+    EXPECT_EQ(none.pull_off, 0);
   }
   // Float may see a touch or tear a little early or late.
   EXPECT_LT(parted, samples / 1000);
