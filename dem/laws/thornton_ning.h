@@ -117,6 +117,17 @@ public:
     return {0.4 * force * max(0.0, overlap - (peak - recovered)),
             work - 0.4 * peak_force * recovered};
   }
+  /// Nothing is lost as grains begin to touch or part.
+  double lost_at_touch(const PairShape<double> &,
+                       const NormalMemory<double> &) const
+  {
+    return 0;
+  }
+  double lost_at_tear(const PairShape<double> &,
+                      const NormalMemory<double> &) const
+  {
+    return 0;
+  }
 
 private:
   double peak_overlap(const PairShape<double> &pair,
