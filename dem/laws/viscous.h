@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef dem_laws_viscous_h
+#define dem_laws_viscous_h
+
+#include <dem/laws/pair_law.h>
+#include <dem/value_check.h>
+
+namespace tamp::dem
+{
+/// What the damping of a contact depends on.
+template <class V>
+struct ViscousMotion {
+  PairShape<V> pair;
+  Triple<V> normal;     ///< n, unit vector from the first grain to the second
+  Triple<V> velocity;   ///< of the surfaces, second less first [m/s]
+  NormalAnswer<V> push; ///< the elastic normal contact
+  Triple<V> force;      ///< T, the elastic tangential force on the first [N]
+  V cap;                ///< largest |T|; a contact at its cap slides [N]
+  V stiffness;          ///< k_t = 8 G* a, of the tangential law [N/m]
+};
+
+/// Dashpots beside the springs of a contact, which give an impact of elastic
+/// spheres the coefficient of restitution e at any speed.
+///
+/// N_d = 2 beta sqrt(2 E* a m*) d overlap/dt, T_d = 2 beta sqrt(8 G* a m*)
+/// times the slip velocity, none while the contact slides. Damping never
+/// pulls: N + N_d is not below zero (not below the pull-off force where there
+/// is adhesion), which ends an impact before the overlap does.
+/// Source: Tsuji, Tanaka & Ishida (1992), Powder Technol. 71:239; end of the
+/// contact: Schwager & Poeschel (2007), Granul. Matter 9:465.
+class Viscous
+{
+public:
+  /// @param effective_modulus  E* [Pa]
+  /// @param restitution  e [-], above 0 and up to 1, where nothing is damped
+  /// Throws std::invalid_argument for a value out of range.
+  Viscous(double effective_modulus, double restitution)
+      : effective_modulus_(effective_modulus), beta_(damping_ratio(restitution))
+  {
+    Positive{}(effective_modulus, "effective modulus");
+  }
+
+  double damping() const { return beta_; } ///< beta [-]
+
+  /// beta that leads to a coefficient of restitution e.
+  ///
+  /// With y = overlap^(5/4) and dt' = overlap^(1/4) dt an impact is a linear
+  /// oscillator of damping ratio zeta = beta sqrt(6/5). It ends where its
+  /// acceleration vanishes, at twice the angle arccos(zeta), so that
+  /// e = exp(-2 zeta arccos(zeta) / sqrt(1 - zeta^2)), and with the hyperbolic
+  /// functions above zeta = 1. Antypov & Elliott (2011), Europhys. Lett.
+  /// 94:50004, have the substitution.
+  static double damping_ratio(double restitution)
+  {
+    if (!(restitution > 0 && restitution <= 1))
+      refuse("restitution", restitution, "above 0 and at most 1");
+    double low = 0, high = 1;
+    while (rebound(high) > restitution)
+      high *= 2;
+    for (int halving = 0; halving < 100; ++halving) {
+      const double middle = 0.5 * (low + high);
+      (rebound(middle) > restitution ? low : high) = middle;
+    }
+    return std::sqrt(5.0 / 6) * 0.5 * (low + high);
+  }
+
+  /// Force on the first grain that comes on top of the elastic one [N].
+  template <class V>
+  Triple<V> operator()(const ViscousMotion<V> &now) const
+  {
+    const V touches =
+        select(now.push.contact_radius > V(0.0), V(2.0 * beta_), V(0.0));
+    const V mass = V(1.0) / max(now.pair.inverse_mass, V(tiny));
+    const V closing = V(0.0) - dot(now.velocity, now.normal);
+    const V slope = V(2 * effective_modulus_) * now.push.contact_radius;
+    const V floor = min(V(0.0), V(0.0) - now.push.force - now.push.pull_off);
+    const V normal = max(touches * sqrt(slope * mass) * closing, floor);
+    const V slides = V((1 - round_off) * (1 - round_off)) * now.cap * now.cap;
+    const V rubs = select(dot(now.force, now.force) < slides,
+                          touches * sqrt(now.stiffness * mass),
+                          V(0.0));
+    return rubs * across(now.velocity, now.normal) - normal * now.normal;
+  }
+
+private:
+  static constexpr double round_off = 1e-6; // of a force at its cap, in float
+
+  static double rebound(double zeta)
+  {
+    const double rest = std::sqrt(std::abs(1 - zeta * zeta));
+    if (rest < 1e-7)
+      return std::exp(-2.0);
+    const double angle = zeta < 1 ? std::acos(zeta) : std::acosh(zeta);
+    return std::exp(-2 * zeta * angle / rest);
+  }
+
+  double effective_modulus_; // E*
+  double beta_;
+};
+} // namespace tamp::dem
+
+#endif
