@@ -16,6 +16,7 @@ struct SlipMemory {
   V limit;        ///< mu N when the memory was written [N]
   V reserve;      ///< force still to be gained without slip, as the normal
                   ///< force had grown [N]
+  V energy;       ///< work put in and not lost [J]
 };
 
 /// Tangential force with partial slip in loading, unloading and reloading,
@@ -38,7 +39,7 @@ struct SlipMemory {
 /// Solids Struct. 35:2349; Jaeger (1998), Arch. Appl. Mech. 68:215. The
 /// treatment of three dimensions is our own.
 struct MindlinDeresiewicz {
-  static constexpr int more = 6; ///< a SlipMemory, in its order
+  static constexpr int more = 7; ///< a SlipMemory, in its order
 
   double effective_shear_modulus; ///< G* [Pa]
   double friction_coefficient;    ///< mu [-]
@@ -70,12 +71,14 @@ struct MindlinDeresiewicz {
                    {turned(Triple<V>{own[0], own[1], own[2]}, now),
                     own[3],
                     own[4],
-                    own[5]}};
+                    own[5],
+                    own[6]}};
     const V heat = press(state, before, after);
     const V rubbed = slide(state, after, across(now.slip, now.normal));
     const SlipMemory<V> &memory = state.memory;
     own[0] = memory.turn.x, own[1] = memory.turn.y, own[2] = memory.turn.z;
     own[3] = memory.width, own[4] = memory.limit, own[5] = memory.reserve;
+    own[6] = memory.energy;
     return {state.force, heat + rubbed};
   }
 
@@ -167,7 +170,12 @@ private:
     memory.width = max(V(0.0), memory.width + V(2.0) * shift);
     memory.reserve = max(V(0.0), memory.reserve + shift);
     memory.limit = after.limit;
-    return max(V(0.0), energy - after.energy(min(size, after.limit)));
+    const V less = energy - after.energy(min(size, after.limit));
+    const V heat = select(after.limit > V(tiny),
+                          min(max(V(0.0), less), memory.energy),
+                          memory.energy);
+    memory.energy = memory.energy - heat;
+    return heat;
   }
   /// Slips under a constant normal force. Answers with the heat.
   template <class V>
@@ -186,7 +194,14 @@ private:
                             (wrong.force - right.force) * branches.along;
     const V size = sqrt(dot(tried, tried));
     const V over = max(V(0.0), size - curve.limit);
-    state.force = min(V(1.0), curve.limit / max(size, V(tiny))) * tried;
+    const V k = max(curve.stiffness, V(tiny));
+    const V heat = right.lost + max(V(0.0), fresh.lost - wrong.lost) +
+                   curve.limit * over / k;
+    const V work = dot(old, slip) + fresh.work - wrong.work + right.work -
+                   V(0.5) * over * over / k;
+    const V energy = max(V(0.0), memory.energy + work - heat);
+    const V most = min(curve.limit, sqrt(V(2.0) * k * energy));
+    state.force = min(V(1.0), most / max(size, V(tiny))) * tried;
 
     const auto turns = on < V(0.0);
     const V ahead = select(way >= branches.wait, memory.reserve, V(0.0));
@@ -195,8 +210,9 @@ private:
     memory.reserve =
         select(turns, V(0.0), max(V(0.0), memory.reserve - right.force));
     state.forget();
-    return right.lost + max(V(0.0), fresh.lost - wrong.lost) +
-           curve.limit * over / max(curve.stiffness, V(tiny));
+    const V lost = max(V(0.0), memory.energy + work - energy);
+    memory.energy = energy;
+    return lost;
   }
 
   /// Answers to a slip that leads on from the turning point, or back to it.
@@ -221,12 +237,18 @@ private:
       const V rest = max(V(0.0), past - (end - reach));
       const SlipResponse<V> first = curve.first_loading(turn + width, rest);
       const V at = min(reach + past, end);
-      const SlipResponse<V> moved{reserve + curve.force(at, 2) -
-                                      curve.force(reach, 2) + first.force,
-                                  curve.lost(wait, 1) + curve.lost(at, 2) -
-                                      curve.lost(reach, 2) + first.lost};
+      const V start = curve.force(reach, 2) - reserve;
+      const SlipResponse<V> moved{
+          curve.force(at, 2) - start + first.force,
+          curve.lost(wait, 1) + curve.lost(at, 2) - curve.lost(reach, 2) +
+              first.lost,
+          curve.work(wait, 1) + curve.work(at, 2) - curve.work(reach, 2) -
+              start * (at - reach) + (curve.force(at, 2) - start) * rest +
+              first.work};
       return select(
-          way < wait, {curve.force(way, 1), curve.lost(way, 1)}, moved);
+          way < wait,
+          {curve.force(way, 1), curve.lost(way, 1), curve.work(way, 1)},
+          moved);
     }
     SlipResponse<V> back(const V &way) const
     {
@@ -234,11 +256,17 @@ private:
       const V rest = max(V(0.0), past - reach);
       const SlipResponse<V> first = curve.first_loading(V(0.0) - turn, rest);
       const V at = min(past, reach);
-      const SlipResponse<V> moved{curve.force(at, 2) - reserve + first.force,
-                                  curve.lost(at, 2) - curve.lost(wait, 1) +
-                                      first.lost};
+      const V twice = wait + wait;
+      const SlipResponse<V> moved{
+          curve.force(at, 2) - reserve + first.force,
+          curve.lost(at, 2) - curve.lost(wait, 1) + first.lost,
+          curve.work(wait, 1) + curve.work(at, 2) - curve.work(twice, 2) -
+              reserve * (at - twice) + (curve.force(at, 2) - reserve) * rest +
+              first.work};
       return select(
-          way < wait, {curve.force(way, 1), curve.lost(way, 1)}, moved);
+          way < wait,
+          {curve.force(way, 1), curve.lost(way, 1), curve.work(way, 1)},
+          moved);
     }
   };
 };

@@ -11,13 +11,16 @@ template <class V>
 struct SlipResponse {
   V force; ///< gained in the direction of the slip [N]
   V lost;  ///< turned into heat [J]
+  V work;  ///< of the gained force, along a straight slip [J]
 };
 
 template <class V>
 SlipResponse<V>
 select(const auto &mask, const SlipResponse<V> &yes, const SlipResponse<V> &no)
 {
-  return {select(mask, yes.force, no.force), select(mask, yes.lost, no.lost)};
+  return {select(mask, yes.force, no.force),
+          select(mask, yes.lost, no.lost),
+          select(mask, yes.work, no.work)};
 }
 
 /// Partial slip of two spheres under a constant normal force: a ring that
@@ -68,6 +71,16 @@ struct SlipCurve {
     const V beyond = max(V(0.0), slip - V(scale) * depth);
     return V(scale) * stiffness * depth * depth * rings + limit * beyond;
   }
+  /// Work of the force from the start of the curve to a slip [J].
+  V work(const V &slip, double scale) const
+  {
+    const V c = core(slip, scale), x = min(share(slip, scale), V(1.0));
+    const V gap = x / (V(1.0) + c); // 1 - theta
+    const V sum = V(0.6) + c * (V(1.2) + c * (V(0.8) + V(0.4) * c));
+    const V beyond = max(V(0.0), slip - V(scale) * depth);
+    return V(scale * scale) * limit * depth * gap * gap * sum +
+           V(scale) * limit * beyond;
+  }
   /// Elastic energy of a first loading up to a force [J]. No other history
   /// with this force keeps less.
   V energy(const V &force) const
@@ -84,16 +97,18 @@ struct SlipCurve {
   /// the contact turns, and at the opposite force the turn is forgotten.
   SlipResponse<V> first_loading(const V &start, const V &way) const
   {
-    const V size = abs(start), begin = slip(size, 1);
+    const V size = abs(start), begin = slip(size, 1), end = begin + begin;
     const SlipResponse<V> on{force(begin + way, 1) - size,
-                             lost(begin + way, 1) - lost(begin, 1)};
-    const SlipResponse<V> turn{force(way, 2), lost(way, 2)};
+                             lost(begin + way, 1) - lost(begin, 1),
+                             work(begin + way, 1) - work(begin, 1) -
+                                 size * way};
+    const SlipResponse<V> turn{force(way, 2), lost(way, 2), work(way, 2)};
     const V rest = max(way - begin, V(0.0));
     const SlipResponse<V> across{size + force(rest, 1),
-                                 lost(begin + begin, 2) + lost(rest, 1) -
-                                     lost(begin, 1)};
-    return select(
-        start >= V(0.0), on, select(way < begin + begin, turn, across));
+                                 lost(end, 2) + lost(rest, 1) - lost(begin, 1),
+                                 work(end, 2) + work(rest, 1) - work(begin, 1) +
+                                     size * (way - end)};
+    return select(start >= V(0.0), on, select(way < end, turn, across));
   }
 
 private:

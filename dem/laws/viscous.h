@@ -15,7 +15,7 @@ struct ViscousMotion {
   Triple<V> velocity;   ///< of the surfaces, second less first [m/s]
   NormalAnswer<V> push; ///< the elastic normal contact
   Triple<V> force;      ///< T, the elastic tangential force on the first [N]
-  V cap;                ///< largest |T|; a contact at its cap slides [N]
+  V cap;                ///< largest |T|, of N + N_d; a contact at it slides [N]
   V stiffness;          ///< k_t = 8 G* a, of the tangential law [N/m]
 };
 
@@ -64,20 +64,28 @@ public:
     return std::sqrt(5.0 / 6) * 0.5 * (low + high);
   }
 
+  /// N_d [N]: what damping adds to the normal force. Friction is that of the
+  /// whole normal force: a tangential law is to get N + N_d as its push.
+  /// @param closing  d overlap/dt [m/s]
+  template <class V>
+  V normal_force(const PairShape<V> &pair,
+                 const NormalAnswer<V> &push,
+                 const V &closing) const
+  {
+    const V slope = V(2 * effective_modulus_) * push.contact_radius;
+    const V floor = min(V(0.0), V(0.0) - push.force - push.pull_off);
+    return max(rate(pair, slope) * closing, floor);
+  }
+
   /// Force on the first grain that comes on top of the elastic one [N].
   template <class V>
   Triple<V> operator()(const ViscousMotion<V> &now) const
   {
-    const V touches =
-        select(now.push.contact_radius > V(0.0), V(2.0 * beta_), V(0.0));
-    const V mass = V(1.0) / max(now.pair.inverse_mass, V(tiny));
     const V closing = V(0.0) - dot(now.velocity, now.normal);
-    const V slope = V(2 * effective_modulus_) * now.push.contact_radius;
-    const V floor = min(V(0.0), V(0.0) - now.push.force - now.push.pull_off);
-    const V normal = max(touches * sqrt(slope * mass) * closing, floor);
+    const V normal = normal_force(now.pair, now.push, closing);
     const V slides = V((1 - round_off) * (1 - round_off)) * now.cap * now.cap;
     const V rubs = select(dot(now.force, now.force) < slides,
-                          touches * sqrt(now.stiffness * mass),
+                          rate(now.pair, now.stiffness),
                           V(0.0));
     return rubs * across(now.velocity, now.normal) - normal * now.normal;
   }
@@ -92,6 +100,13 @@ private:
       return std::exp(-2.0);
     const double angle = zeta < 1 ? std::acos(zeta) : std::acosh(zeta);
     return std::exp(-2 * zeta * angle / rest);
+  }
+
+  /// Of a dashpot beside a spring [N s/m]; none beside a spring of zero.
+  template <class V>
+  V rate(const PairShape<V> &pair, const V &stiffness) const
+  {
+    return V(2 * beta_) * sqrt(stiffness / max(pair.inverse_mass, V(tiny)));
   }
 
   double effective_modulus_; // E*
