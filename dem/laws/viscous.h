@@ -15,19 +15,28 @@ struct ViscousMotion {
   Triple<V> velocity;   ///< of the surfaces, second less first [m/s]
   NormalAnswer<V> push; ///< the elastic normal contact
   Triple<V> force;      ///< T, the elastic tangential force on the first [N]
-  V cap;                ///< largest |T|, of N + N_d; a contact at it slides [N]
+  V cap;                ///< largest tangential force, that of N + N_d [N]
   V stiffness;          ///< k_t = 8 G* a, of the tangential law [N/m]
+};
+
+/// What damping answers.
+template <class V>
+struct ViscousAnswer {
+  Triple<V> force; ///< on the first grain, on top of the elastic force [N]
+  Triple<V> kept;  ///< T to remember: the whole tangential force where it
+                   ///< slides, else the elastic one [N]
 };
 
 /// Dashpots beside the springs of a contact, which give an impact of elastic
 /// spheres the coefficient of restitution e at any speed.
 ///
 /// N_d = 2 beta sqrt(2 E* a m*) d overlap/dt, T_d = 2 beta sqrt(8 G* a m*)
-/// times the slip velocity, none while the contact slides. Damping never
-/// pulls: N + N_d is not below zero (not below the pull-off force where there
-/// is adhesion), which ends an impact before the overlap does.
-/// Source: Tsuji, Tanaka & Ishida (1992), Powder Technol. 71:239; end of the
-/// contact: Schwager & Poeschel (2007), Granul. Matter 9:465.
+/// times the slip velocity. Spring and dashpot together stay below the cap of
+/// friction; where they reach it, the contact slides. Damping never pulls: N +
+/// N_d is not below zero (not below the pull-off force where there is
+/// adhesion), which ends an impact before the overlap does. Source: Tsuji,
+/// Tanaka & Ishida (1992), Powder Technol. 71:239; end of the contact: Schwager
+/// & Poeschel (2007), Granul. Matter 9:465.
 class Viscous
 {
 public:
@@ -77,22 +86,23 @@ public:
     return max(rate(pair, slope) * closing, floor);
   }
 
-  /// Force on the first grain that comes on top of the elastic one [N].
+  /// Damping of a contact whose elastic forces are known.
   template <class V>
-  Triple<V> operator()(const ViscousMotion<V> &now) const
+  ViscousAnswer<V> operator()(const ViscousMotion<V> &now) const
   {
     const V closing = V(0.0) - dot(now.velocity, now.normal);
     const V normal = normal_force(now.pair, now.push, closing);
-    const V slides = V((1 - round_off) * (1 - round_off)) * now.cap * now.cap;
-    const V rubs = select(dot(now.force, now.force) < slides,
-                          rate(now.pair, now.stiffness),
-                          V(0.0));
-    return rubs * across(now.velocity, now.normal) - normal * now.normal;
+    const Triple<V> rub = now.force + rate(now.pair, now.stiffness) *
+                                          across(now.velocity, now.normal);
+    const V size = sqrt(dot(rub, rub));
+    const V share = min(V(1.0), now.cap / max(size, V(tiny)));
+    const Triple<V> whole = share * rub;
+    const V slides = select(size > now.cap, V(1.0), V(0.0));
+    return {whole - now.force - normal * now.normal,
+            now.force + slides * (whole - now.force)};
   }
 
 private:
-  static constexpr double round_off = 1e-6; // of a force at its cap, in float
-
   static double rebound(double zeta)
   {
     const double rest = std::sqrt(std::abs(1 - zeta * zeta));

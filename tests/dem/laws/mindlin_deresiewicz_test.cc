@@ -258,7 +258,7 @@ TEST(MindlinDeresiewicz, FirstLoadingUnderFallingNormalForceIsExact)
   for (Rubbing *pair : {&once, &often})
     pair->move(1e-6, {0, 0, 0});
   const double u = 0.3 * once.depth();
-  once.slip_to(0, u, 1), often.slip_to(0, u, 1);
+  once.slip_to(0, u, 1), often.slip_to(0, u, 1000);
   constexpr int parts = 500;
   once.move(0.6e-6, (0.5 * u) * once.along);
   for (int k = 1; k <= parts; ++k)
@@ -267,7 +267,7 @@ TEST(MindlinDeresiewicz, FirstLoadingUnderFallingNormalForceIsExact)
   EXPECT_NEAR(dot(once.force, once.along), exact, 1e-12 * exact);
   EXPECT_NEAR(dot(often.force, often.along), exact, 1e-10 * exact);
   const double stored = often.memory[6];
-  EXPECT_NEAR(often.heat + stored, often.work, 1e-3 * often.work); // parts
+  EXPECT_NEAR(often.heat + stored, often.work, 1e-4 * often.work); // parts
   EXPECT_GT(often.heat, 0);
 }
 
@@ -310,10 +310,10 @@ TEST(MindlinDeresiewicz, RepeatedRandomCyclesGiveNoMoreThanWasStored)
   // by trapezoids, is what the memory says is stored plus the heat.
   std::mt19937_64 random(11);
   std::uniform_real_distribution<double> one(-1, 1);
-  for (int path = 0; path < 400; ++path) {
+  for (int path = 0; path < 100; ++path) {
     SCOPED_TRACE(path);
     Rubbing pair;
-    constexpr int corners = 5, parts = 100, turns = 5;
+    constexpr int corners = 5, parts = 200, turns = 3;
     std::array<Vector, corners> point{};
     std::array<double, corners> overlap{};
     const double size = std::pow(10, one(random)) * 0.5e-7;
@@ -341,7 +341,9 @@ TEST(MindlinDeresiewicz, RepeatedRandomCyclesGiveNoMoreThanWasStored)
     pair.work = pair.heat = rubbed = 0;
     for (int turn = 0; turn < turns; ++turn)
       travel();
-    const double tolerance = 5e-3 * rubbed; // trapezoids of 100 parts
+    // Trapezoids of 200 parts; where forces are cut at Coulomb's limit or at
+    // what is stored, the law counts the work of the uncut force.
+    const double tolerance = 1e-2 * rubbed;
     EXPECT_GE(pair.work, -stored - tolerance);
     EXPECT_NEAR(pair.work, pair.heat + pair.memory[6] - stored, tolerance);
     EXPECT_GE(pair.memory[6] * (1 + 1e-12) + 1e-30,
