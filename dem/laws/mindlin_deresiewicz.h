@@ -3,22 +3,10 @@
 #define dem_laws_mindlin_deresiewicz_h
 
 #include <dem/laws/mindlin.h>
-#include <dem/laws/slip_curve.h>
+#include <dem/laws/slip_branches.h>
 
 namespace tamp::dem
 {
-/// What a contact with partial slip remembers besides its force. All zeros is
-/// a new contact.
-template <class V>
-struct SlipMemory {
-  Triple<V> turn; ///< force where the slip last turned [N]
-  V width;        ///< distance from there at which the turn is forgotten [N]
-  V limit;        ///< mu N when the memory was written [N]
-  V reserve;      ///< force still to be gained without slip, as the normal
-                  ///< force had grown [N]
-  V energy;       ///< work put in and not lost [J]
-};
-
 /// Tangential force with partial slip in loading, unloading and reloading,
 /// exact for finite increments along a line with a constant normal force, and
 /// of the incremental form of Thornton & Yin for small ones.
@@ -29,6 +17,10 @@ struct SlipMemory {
 /// older turning points are forgotten. A rise of the normal force moves the
 /// turning point by mu dN and lets the next mu dN stick; a fall shrinks the
 /// core that sticks. The normal force changes first, then the grains slip.
+///
+/// The memory keeps count of the energy put in and not lost, and the force
+/// never exceeds what could be stored with it; along a line with a constant
+/// normal force this changes nothing.
 ///
 /// In three dimensions the slip that leads on, away from the turning point,
 /// continues the curve; whatever leads back or across starts a new curve, so
@@ -67,12 +59,12 @@ struct MindlinDeresiewicz {
   {
     const SlipCurve<V> before(stiffness(now.old_radius), own[4]);
     const SlipCurve<V> after(stiffness(now.push.contact_radius), cap(now.push));
-    State<V> state{turned(old_force, now),
-                   {turned(Triple<V>{own[0], own[1], own[2]}, now),
-                    own[3],
-                    own[4],
-                    own[5],
-                    own[6]}};
+    SlipState<V> state{turned(old_force, now),
+                       {turned(Triple<V>{own[0], own[1], own[2]}, now),
+                        own[3],
+                        own[4],
+                        own[5],
+                        own[6]}};
     const V heat = press(state, before, after);
     const V rubbed = slide(state, after, across(now.slip, now.normal));
     const SlipMemory<V> &memory = state.memory;
@@ -83,48 +75,10 @@ struct MindlinDeresiewicz {
   }
 
 private:
-  template <class V>
-  struct State {
-    Triple<V> force;
-    SlipMemory<V> memory;
-
-    V distance() const // from the turning point
-    {
-      const Triple<V> gone = force - memory.turn;
-      return sqrt(dot(gone, gone));
-    }
-    /// Back to first loading where the turn is to be forgotten.
-    void forget()
-    {
-      const V size = sqrt(dot(force, force));
-      const V gone = distance();
-      const auto first = gone >= memory.width || gone <= V(tiny);
-      memory.turn = choose(first, V(-1.0) * force, memory.turn);
-      memory.width = select(first, size + size, memory.width);
-      memory.reserve = select(first, V(0.0), memory.reserve);
-    }
-  };
-
-  template <class V>
-  static Triple<V>
-  choose(const auto &mask, const Triple<V> &yes, const Triple<V> &no)
-  {
-    return {select(mask, yes.x, no.x),
-            select(mask, yes.y, no.y),
-            select(mask, yes.z, no.z)};
-  }
-  /// a / |a|, zero for zero.
-  template <class V>
-  static Triple<V> direction(const Triple<V> &a)
-  {
-    const V size = sqrt(dot(a, a));
-    return select(size > V(tiny), V(1.0) / max(size, V(tiny)), V(0.0)) * a;
-  }
-
   /// The force after a fall of the normal force without slip: the rings are
   /// held to less, the core keeps its slip.
   template <class V>
-  static Triple<V> sink(const State<V> &state,
+  static Triple<V> sink(const SlipState<V> &state,
                         const SlipCurve<V> &before,
                         const SlipCurve<V> &after)
   {
@@ -149,8 +103,9 @@ private:
 
   /// Changes the normal force. Answers with the heat.
   template <class V>
-  static V
-  press(State<V> &state, const SlipCurve<V> &before, const SlipCurve<V> &after)
+  static V press(SlipState<V> &state,
+                 const SlipCurve<V> &before,
+                 const SlipCurve<V> &after)
   {
     SlipMemory<V> &memory = state.memory;
     state.forget();
@@ -163,7 +118,7 @@ private:
     const V size = sqrt(dot(state.force, state.force));
     state.force = min(V(1.0), after.limit / max(size, V(tiny))) * state.force;
 
-    const auto first = gone >= memory.width && fell;
+    const auto first = gone >= select(fell, memory.width, V(1 / tiny));
     const V shift = select(gone > V(tiny), rise, V(0.0));
     memory.turn =
         choose(first, V(-1.0) * state.force, memory.turn - shift * along);
@@ -180,10 +135,10 @@ private:
   /// Slips under a constant normal force. Answers with the heat.
   template <class V>
   static V
-  slide(State<V> &state, const SlipCurve<V> &curve, const Triple<V> &slip)
+  slide(SlipState<V> &state, const SlipCurve<V> &curve, const Triple<V> &slip)
   {
     SlipMemory<V> &memory = state.memory;
-    const Branches<V> branches(state, curve);
+    const SlipBranches<V> branches(state, curve);
     const V way = sqrt(dot(slip, slip)), on = dot(slip, branches.along);
     const V forward = max(V(0.0), on);
     const SlipResponse<V> fresh = branches.back(way);
@@ -214,61 +169,6 @@ private:
     memory.energy = energy;
     return lost;
   }
-
-  /// Answers to a slip that leads on from the turning point, or back to it.
-  template <class V>
-  struct Branches {
-    const SlipCurve<V> &curve;
-    Triple<V> along;               // from the turning point to the force
-    V reserve, front, turn, width; // forces along it; front: where slip resumes
-    V wait, reach, end;            // their slips
-
-    Branches(const State<V> &state, const SlipCurve<V> &c)
-        : curve(c), along(direction(state.force - state.memory.turn)),
-          reserve(state.memory.reserve), front(state.distance() + reserve),
-          turn(dot(state.memory.turn, along)),
-          width(max(state.memory.width, front)), wait(c.slip(reserve, 1)),
-          reach(c.slip(front, 2)), end(c.slip(width, 2))
-    {
-    }
-    SlipResponse<V> on(const V &way) const
-    {
-      const V past = max(V(0.0), way - wait);
-      const V rest = max(V(0.0), past - (end - reach));
-      const SlipResponse<V> first = curve.first_loading(turn + width, rest);
-      const V at = min(reach + past, end);
-      const V start = curve.force(reach, 2) - reserve;
-      const SlipResponse<V> moved{
-          curve.force(at, 2) - start + first.force,
-          curve.lost(wait, 1) + curve.lost(at, 2) - curve.lost(reach, 2) +
-              first.lost,
-          curve.work(wait, 1) + curve.work(at, 2) - curve.work(reach, 2) -
-              start * (at - reach) + (curve.force(at, 2) - start) * rest +
-              first.work};
-      return select(
-          way < wait,
-          {curve.force(way, 1), curve.lost(way, 1), curve.work(way, 1)},
-          moved);
-    }
-    SlipResponse<V> back(const V &way) const
-    {
-      const V past = max(way, wait) + wait;
-      const V rest = max(V(0.0), past - reach);
-      const SlipResponse<V> first = curve.first_loading(V(0.0) - turn, rest);
-      const V at = min(past, reach);
-      const V twice = wait + wait;
-      const SlipResponse<V> moved{
-          curve.force(at, 2) - reserve + first.force,
-          curve.lost(at, 2) - curve.lost(wait, 1) + first.lost,
-          curve.work(wait, 1) + curve.work(at, 2) - curve.work(twice, 2) -
-              reserve * (at - twice) + (curve.force(at, 2) - reserve) * rest +
-              first.work};
-      return select(
-          way < wait,
-          {curve.force(way, 1), curve.lost(way, 1), curve.work(way, 1)},
-          moved);
-    }
-  };
 };
 } // namespace tamp::dem
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <gtest/gtest.h>
+#include <numbers>
 #include <random>
 
 namespace tamp::dem
@@ -177,7 +178,7 @@ TEST(MindlinDeresiewicz, ForceIsContinuousInTheIncrement)
   pair.slip_to(0, 0.6 * pair.depth(), 1);
   pair.slip_to(0.6 * pair.depth(), 0.3 * pair.depth(), 1);
   constexpr int parts = 20000;
-  const double radius = 0.5 * pair.depth(), turn = 2 * M_PI / parts;
+  const double radius = 0.5 * pair.depth(), turn = 2 * std::numbers::pi / parts;
   const auto at = [&](int i) {
     Rubbing copy = pair;
     return copy.move(1.3e-6,
@@ -304,6 +305,31 @@ TEST(MindlinDeresiewicz, RandomPathsStayBelowCoulombAndFinite)
   }
 }
 
+TEST(MindlinDeresiewicz, SinglePrecisionFollowsDouble)
+{
+  Rubbing pair;
+  pair.move(1e-6, {0, 0, 0});
+  const double a = pair.contact_radius(), m = pair.depth();
+  std::array<double, Law::more> exact = pair.memory;
+  std::array<float, Law::more> memory{};
+  for (int i = 0; i < Law::more; ++i)
+    memory[i] = static_cast<float>(exact[i]);
+  Triple<float> force{0, 0, 0};
+  const float radius = static_cast<float>(a);
+  for (const double part : {0.7, -0.5, 0.4, -1.2}) {
+    pair.move(1e-6, (part * m) * Vector{0, 0.6, 0.6});
+    ContactMotion<float> now{};
+    const auto single = [](double x) { return static_cast<float>(x); };
+    now.normal = {single(1.0 / 3), single(2.0 / 3), single(-2.0 / 3)};
+    now.slip = {0, single(0.6 * part * m), single(0.6 * part * m)};
+    now.old_radius = radius;
+    now.push = {single(pair.push()), radius, 0};
+    force = pair.law(force, now, memory.data()).force;
+    const Vector same{force.x, force.y, force.z};
+    EXPECT_LT(length(same - pair.force), 1e-4 * pair.limit()); // float
+  }
+}
+
 TEST(MindlinDeresiewicz, RepeatedRandomCyclesGiveNoMoreThanWasStored)
 {
   // Cycles of slip and overlap, in a plane or along a line. The work, summed
@@ -341,9 +367,9 @@ TEST(MindlinDeresiewicz, RepeatedRandomCyclesGiveNoMoreThanWasStored)
     pair.work = pair.heat = rubbed = 0;
     for (int turn = 0; turn < turns; ++turn)
       travel();
-    // Trapezoids of 200 parts; where forces are cut at Coulomb's limit or at
-    // what is stored, the law counts the work of the uncut force.
-    const double tolerance = 1e-2 * rubbed;
+    // Trapezoids of 200 parts. Where the force is cut at what is stored, the
+    // law counts the work of the uncut force: up to 1 % of what was moved.
+    const double tolerance = (path % 4 == 0 ? 5e-3 : 2e-2) * rubbed;
     EXPECT_GE(pair.work, -stored - tolerance);
     EXPECT_NEAR(pair.work, pair.heat + pair.memory[6] - stored, tolerance);
     EXPECT_GE(pair.memory[6] * (1 + 1e-12) + 1e-30,
