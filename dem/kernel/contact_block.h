@@ -38,7 +38,11 @@ struct alignas(64) Chunk {
   T radius_difference[size];                  ///< R_j - R_i [m]
   T inverse_mass[size];                       ///< 1/m* [1/kg]
   T force[size];                              ///< N [N]
+  T old_radius[size];                         ///< a before [m]
   T pull_off[size];                           ///< N_c [N]
+  // With contact damping only:
+  T damping[size];                         ///< its part of N [N]
+  T rub_x[size], rub_y[size], rub_z[size]; ///< T with damping [N]
 };
 } // namespace tamp::dem
 

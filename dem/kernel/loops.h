@@ -2,13 +2,11 @@
 #ifndef dem_kernel_loops_h
 #define dem_kernel_loops_h
 
-#include <dem/kernel/grain_loops.h>
 #include <dem/kernel/kernel.h>
 #include <dem/kernel/pack.h>
 #include <dem/kernel/transpose.h>
 
 #include <type_traits>
-#include <utility>
 
 // The loops of a sweep over a chunk of contacts, for the instruction set that
 // the file including this is compiled for.
@@ -17,6 +15,21 @@ namespace tamp::dem::HWY_NAMESPACE
 /// Contacts in a block.
 template <class T>
 constexpr std::size_t lanes = ContactBlock<T>::lanes;
+
+/// Three rows of a chunk or a block, from place k on.
+template <class T>
+Triple<Pack<T>> load(const T *x, const T *y, const T *z, std::size_t k)
+{
+  using P = Pack<T>;
+  return {P::load(x + k), P::load(y + k), P::load(z + k)};
+}
+template <class T>
+void store(const Triple<Pack<T>> &v, T *x, T *y, T *z, std::size_t k)
+{
+  v.x.store(x + k);
+  v.y.store(y + k);
+  v.z.store(z + k);
+}
 
 template <class P>
 Triple<P> times(const P (&matrix)[9], const Triple<P> &v)
@@ -147,9 +160,10 @@ void push(const void *constants,
       const P overlap = P::load(chunk.overlap + k);
       More<T, Law::more> more;
       more.load(contacts.more_before + b * stride, lane);
-      NormalMemory<P> memory = {P::load(before.largest_overlap + lane),
-                                P::load(before.contact_radius + lane),
-                                more.value};
+      const P old_radius = P::load(before.contact_radius + lane);
+      old_radius.store(chunk.old_radius + k);
+      NormalMemory<P> memory = {
+          P::load(before.largest_overlap + lane), old_radius, more.value};
       const NormalAnswer<P> answer = law(overlap, pair, memory);
 
       // A contact is remembered while the grains overlap or stick.
@@ -199,7 +213,7 @@ void rub(const void *constants,
           triple(chunk.normal_x + k, chunk.normal_y + k, chunk.normal_z + k);
       now.slip = triple(chunk.slip_x + k, chunk.slip_y + k, chunk.slip_z + k);
       now.spin = P::load(chunk.spin + k);
-      now.old_radius = P::load(before.contact_radius + lane);
+      now.old_radius = P::load(chunk.old_radius + k);
       now.push = {P::load(chunk.force + k),
                   P::load(after.contact_radius + lane),
                   P::load(chunk.pull_off + k)};
@@ -226,7 +240,7 @@ void rub(const void *constants,
 }
 
 /// Adds the forces and torques of a chunk to the grains.
-template <class T>
+template <class T, bool damped>
 void scatter(const ChunkOfBlocks<T> &contacts,
              const Chunk<T> &chunk,
              GrainRow<T> *rows)
@@ -235,13 +249,12 @@ void scatter(const ChunkOfBlocks<T> &contacts,
   for (std::size_t b = 0; b < contacts.blocks; ++b)
     for (std::size_t lane = 0; lane < lanes<T>; lane += P::size) {
       const std::size_t k = b * lanes<T> + lane;
-      const Triple<P> n = {P::load(chunk.normal_x + k),
-                           P::load(chunk.normal_y + k),
-                           P::load(chunk.normal_z + k)};
       const ContactBlock<T> &block = contacts.after[b];
-      const Triple<P> t = {P::load(block.force_x + lane),
-                           P::load(block.force_y + lane),
-                           P::load(block.force_z + lane)};
+      const Triple<P> n =
+          load(chunk.normal_x, chunk.normal_y, chunk.normal_z, k);
+      const Triple<P> t =
+          damped ? load(chunk.rub_x, chunk.rub_y, chunk.rub_z, k)
+                 : load(block.force_x, block.force_y, block.force_z, lane);
       const Triple<P> force = t - P::load(chunk.force + k) * n;
       const Triple<P> torque = P::load(chunk.arm + k) * cross(n, t);
       const Columns<T> columns = {force.x,
@@ -293,34 +306,6 @@ void add_stress(const ChunkOfBlocks<T> &contacts,
     sums[k] += double(sum(sum_of[k]));
 }
 
-template <class T, std::size_t... normal, std::size_t... tangential>
-constexpr KernelLoops<T> all_loops(std::index_sequence<normal...>,
-                                   std::index_sequence<tangential...>)
-{
-  return {gather<T, false>,
-          gather<T, true>,
-          {push<T, std::variant_alternative_t<normal, AnyNormalLaw>>...},
-          {rub<T,
-               std::variant_alternative_t<tangential, AnyTangentialLaw>,
-               false>...},
-          {rub<T,
-               std::variant_alternative_t<tangential, AnyTangentialLaw>,
-               true>...},
-          scatter<T>,
-          add_stress<T>,
-          grain_loops<T>()};
-}
-
-template <class T>
-constexpr KernelLoops<T> all_loops()
-{
-  return all_loops<T>(
-      std::make_index_sequence<std::variant_size_v<AnyNormalLaw>>(),
-      std::make_index_sequence<std::variant_size_v<AnyTangentialLaw>>());
-}
-
-/// The kernel of this instruction set.
-inline constexpr Kernel kernel = {all_loops<double>(), all_loops<float>()};
 } // namespace tamp::dem::HWY_NAMESPACE
 
 #endif

@@ -65,7 +65,7 @@ public:
     const V dented = radius * widening;
     const V recovery = elastic_.overlap(scale * peak, dented);
     return {dented,
-            scale * cube_root(widening),
+            scale * quick_cube_root(widening),
             select(peak > yield, largest_overlap, none),
             select(peak > yield, recovery, none),
             scale * peak,

@@ -52,7 +52,7 @@ public:
   template <class V>
   V root_scale(const V &radius) const
   {
-    return V(root_scale_) * cube_root(radius * V(1 / middle_radius));
+    return V(root_scale_) * quick_cube_root(radius * V(1 / middle_radius));
   }
   /// c R* / scale^3, near 4.
   template <class V>
@@ -175,7 +175,7 @@ public:
   }
 
 private:
-  static constexpr double middle_radius = 1e-3; // [m]; cube_root is best here
+  static constexpr double middle_radius = 1e-3; // [m]; quick_cube_root is best here
 
   double effective_modulus_; // E*
   double pull_off_;          // 3/2 pi Gamma

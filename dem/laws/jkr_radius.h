@@ -9,7 +9,7 @@ namespace tamp::dem
 /// x^(1/3) for x > 0 from two square roots and two divisions: to 1e-9 for
 /// x in [1e-3, 1e3], to 3e-4 in [1e-6, 1e6].
 template <class V>
-V cube_root(const V &x)
+V quick_cube_root(const V &x)
 {
   // With z = x^(1/4) the root is z z^(1/3): Pade's (1 + 2 z)/(2 + z) for the
   // second factor and a step of Halley's in one fraction, then another step.
