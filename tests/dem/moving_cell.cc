@@ -65,14 +65,20 @@ ContactMemory memory_of(const UnitCell &cell, Pair pair)
   return {pair};
 }
 
+/// A tangential force and the work lost on the way to it.
+struct Rub {
+  Vector3 force = Vector3::Zero(); // [N]
+  double lost = 0;                 // [J]
+};
+
 /// The old force, turned with the contact, shrunk and pushed on to the cap.
-Vector3 rub_by_hand(const ContactMemory &old,
-                    const Vector3 &normal,
-                    const Vector3 &slip,
-                    double spin,
-                    double a,
-                    double shear_modulus,
-                    double cap)
+Rub rub_by_hand(const ContactMemory &old,
+                const Vector3 &normal,
+                const Vector3 &slip,
+                double spin,
+                double a,
+                double shear_modulus,
+                double cap)
 {
   Vector3 rub = old.tangential_force;
   const double size = rub.norm();
@@ -82,10 +88,16 @@ Vector3 rub_by_hand(const ContactMemory &old,
   rub += spin * normal.cross(rub);
   if (a < old.contact_radius)
     rub *= a / old.contact_radius;
-  rub += 8 * shear_modulus * a * (slip - slip.dot(normal) * normal);
-  if (rub.norm() > cap)
+  const double k = 8 * shear_modulus * a;
+  double lost = -rub.squaredNorm() / (2 * k);
+  if (old.contact_radius > 0)
+    lost += size * size / (16 * shear_modulus * old.contact_radius);
+  rub += k * (slip - slip.dot(normal) * normal);
+  if (rub.norm() > cap) {
+    lost += cap * (rub.norm() - cap) / k;
     rub *= cap / rub.norm();
-  return rub;
+  }
+  return {rub, lost};
 }
 
 /// Adds the contact of one pair, l from the first grain to the second.
@@ -115,15 +127,19 @@ void add_contact(const UnitCell &cell,
   const Vector3 slip = motion.relative[j] - motion.relative[i] +
                        motion.affine.gradient * l -
                        (arm_i * pi + arm_j * pj).cross(normal);
-  Vector3 rub = rub_by_hand(old,
-                            normal,
-                            slip,
-                            0.5 * (pi + pj).dot(normal),
-                            push.contact_radius,
-                            material.effective_shear_modulus,
-                            cell.contact.friction_coefficient * push.force);
-  if (cell.contact.tangential_law == TangentialLaw::none || push.force == 0)
+  auto [rub, lost] =
+      rub_by_hand(old,
+                  normal,
+                  slip,
+                  0.5 * (pi + pj).dot(normal),
+                  push.contact_radius,
+                  material.effective_shear_modulus,
+                  cell.contact.friction_coefficient * push.force);
+  if (cell.contact.tangential_law == TangentialLaw::none || push.force == 0) {
     rub.setZero();
+    lost = 0;
+  }
+  sum.totals.lost_work += lost;
   now.contact_radius = push.contact_radius;
   now.tangential_force = rub;
   sum.memories.push_back(now);

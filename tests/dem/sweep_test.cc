@@ -69,6 +69,11 @@ TEST(Sweep, AgreesWithTryingAllPairsAndImages)
                     round_off * wanted.totals.normal_force);
         EXPECT_LT((found.totals.moment - wanted.totals.moment).norm(),
                   round_off * wanted.totals.moment.norm());
+        if (memory == Memory::written) { // a trial does not book what is lost
+          EXPECT_NEAR(found.totals.lost_work,
+                      wanted.totals.lost_work,
+                      round_off * wanted.totals.lost_work);
+        }
         EXPECT_EQ(found.totals.too_deep, wanted.totals.too_deep);
       }
 }
@@ -112,7 +117,6 @@ TEST(Sweep, WritingMemoryDoesNotChangeTheForces)
   EXPECT_EQ(trial.force, written.force);
   EXPECT_EQ(trial.torque, written.torque);
   EXPECT_EQ(trial.totals.moment, written.totals.moment);
-  EXPECT_EQ(trial.totals.lost_work, written.totals.lost_work);
 }
 
 TEST(Sweep, WrittenStateAtRestGivesTheSameForces)
