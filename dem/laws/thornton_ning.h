@@ -69,7 +69,8 @@ public:
         max(V(0.0),
             V(1.0) + (delta - peak) * (V(4.0 / 3 * effective_modulus_) *
                                        peak_radius / peak_force));
-    const V root = sqrt(rho);
+    // Without overlap rho is 0 up to round-off only.
+    const V root = select(overlap > V(0.0), sqrt(rho), V(0.0));
     return {peak_force * rho * root, peak_radius * root, V(0.0)};
   }
 
