@@ -1,15 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <dem/dynamics.h>
-#include <dem/hill_mandel.h>
-#include <dem/measures.h>
+#include <dem/motion.h>
 #include <dem/stretch.h>
-#include <dem/sweep_layout.h>
 #include <dem/unit_cell.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
 namespace tamp::dem
 {
@@ -18,218 +14,38 @@ namespace
 // Grains under a larger mean force, over the contact force, are not near static
 // equilibrium.
 constexpr double largest_unbalance = 1e-2;
-
-double grain_mass(const UnitCell &cell, std::size_t i, double scaling)
-{
-  const double r = cell.radius[i];
-  return 4.0 / 3 * std::numbers::pi * r * r * r * cell.material.density *
-         scaling;
-}
-
-/// Motion of all grains along one stretch.
-class Motion
-{
-public:
-  Motion(UnitCell &cell, const Stretch &stretch, const Dynamics &settings);
-  CellAnswer run();
-
-private:
-  double time_step() const;
-  Matrix3 stretch_after(std::size_t steps) const;
-  void list_pairs();
-  void kick();
-  void drift(std::size_t step);
-  double unbalance(const SweepTotals &totals) const;
-  std::vector<double> last_motion() const;
-
-  UnitCell &cell_;
-  SweepLayout layout_;
-  Matrix3 log_stretch_, first_box_, step_back_;
-  AffineMotion affine_;
-  std::vector<double> mass_;
-  double step_ = 0, damping_ = 0, mean_radius_;
-  std::size_t steps_ = 1;
-};
-
-Motion::Motion(UnitCell &cell, const Stretch &stretch, const Dynamics &settings)
-    : cell_(cell), layout_(cell), log_stretch_(logarithm(stretch)),
-      first_box_(cell.box.h), affine_{cell.box.h, Matrix3::Zero()},
-      mean_radius_(cell.mean_radius())
-{
-  cell_.velocity.resize(cell_.size(), Vector3::Zero());
-  cell_.spin.resize(cell_.size(), Vector3::Zero());
-  double total = 0;
-  for (std::size_t i = 0; i < cell_.size(); ++i) {
-    mass_.push_back(grain_mass(cell_, i, settings.density_scaling));
-    total += mass_.back();
-  }
-  const double rayleigh = rayleigh_time_step(
-      cell_.material, cell_.smallest_radius(), settings.density_scaling);
-  damping_ =
-      2 * settings.global_damping * total / double(cell_.size()) / rayleigh;
-  list_pairs();
-  step_ = settings.time_step_fraction * std::min(rayleigh, time_step());
-  steps_ = std::max<std::size_t>(
-      1,
-      std::size_t(std::ceil(largest_principal(log_stretch_) /
-                                (settings.strain_rate * step_) -
-                            1e-9)));
-  step_back_ = stretch_after(1).inverse();
-  affine_.gradient = Matrix3::Identity() - step_back_;
-}
-
-Matrix3 Motion::stretch_after(std::size_t steps) const
-{
-  return exponential(log_stretch_ * (double(steps) / double(steps_)));
-}
-
-/// 2 / (largest frequency), from the stiffness around each grain: that of its
-/// translation and that of its rotation, of which 5/2 k_t / m is the measure.
-double Motion::time_step() const
-{
-  const SweepLayout::Stiffness stiffness = layout_.stiffness(cell_.box);
-  double frequency2 = 0;
-  for (std::size_t i = 0; i < mass_.size(); ++i)
-    frequency2 = std::max({frequency2,
-                           2 * stiffness.both[i] / mass_[i],
-                           5 * stiffness.tangential[i] / mass_[i]});
-  return frequency2 > 0 ? 2 / std::sqrt(frequency2)
-                        : std::numeric_limits<double>::infinity();
-}
-
-void Motion::list_pairs()
-{
-  layout_.list_pairs(cell_.neighbours, cell_.box, cell_.place, cell_.contacts);
-}
-
-/// Half-step velocities from the forces of the whole step, eqs (1) and (2).
-void Motion::kick()
-{
-  const std::span<const GrainRow> rows = layout_.rows();
-  double heat = 0;
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const double r = cell_.radius[i];
-    const Vector3 force(rows[i].force), torque(rows[i].force + 4);
-    const double a = 0.5 * damping_ * step_ / mass_[i];
-    cell_.velocity[i] =
-        ((1 - a) * cell_.velocity[i] + step_ / mass_[i] * force) / (1 + a);
-    const double inertia = 0.4 * mass_[i] * r * r;
-    // Rotation is damped at the same rate as translation for a mean grain.
-    const double spin_damping = 0.4 * damping_ * mean_radius_ * mean_radius_;
-    const double b = 0.5 * spin_damping * step_ / inertia;
-    cell_.spin[i] =
-        ((1 - b) * cell_.spin[i] + step_ / inertia * r * torque) / (1 + b);
-    heat += damping_ * cell_.velocity[i].squaredNorm() +
-            spin_damping * cell_.spin[i].squaredNorm();
-  }
-  cell_.energy.damping_dissipation += heat * step_;
-}
-
-/// Places after the step; the box moves exactly.
-void Motion::drift(std::size_t step)
-{
-  cell_.box.h = stretch_after(step) * first_box_;
-  affine_.h = cell_.box.h;
-  const Matrix3 inverse = cell_.box.h.inverse();
-  const std::span<GrainRow> rows = layout_.rows();
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const Vector3 moved = step_ * cell_.velocity[i];
-    cell_.place[i] += inverse * moved;
-    const Vector3 relative = step_back_ * moved;
-    const Vector3 rolled = step_ * cell_.radius[i] * cell_.spin[i];
-    for (int k = 0; k < 3; ++k) {
-      rows[i].place[k] = cell_.place[i][k];
-      rows[i].motion[k] = relative[k];
-      rows[i].motion[4 + k] = rolled[k];
-    }
-  }
-}
-
-/// What each grain did in the last step: displacement, radius x rotation [m].
-std::vector<double> Motion::last_motion() const
-{
-  std::vector<double> motion;
-  for (std::size_t i = 0; i < cell_.size(); ++i) {
-    const Vector3 moved = step_ * cell_.velocity[i];
-    const Vector3 rolled = step_ * cell_.radius[i] * cell_.spin[i];
-    motion.insert(motion.end(), moved.begin(), moved.end());
-    motion.insert(motion.end(), rolled.begin(), rolled.end());
-  }
-  return motion;
-}
-
-double Motion::unbalance(const SweepTotals &totals) const
-{
-  double sum = 0;
-  for (const GrainRow &row : layout_.rows())
-    sum += Vector3(row.force).norm();
-  return totals.normal_force > 0
-             ? sum / double(cell_.size()) /
-                   (totals.normal_force / double(totals.contacts))
-             : 0.0;
-}
-
-CellAnswer Motion::run()
-{
-  CellAnswer answer;
-  Matrix3 old_stress = love_weber_stress(cell_);
-  const double old_volume = cell_.box.volume();
-  SweepTotals totals = layout_.sweep(affine_, Memory::frozen);
-  // A pair outside the list approaches by at most two drifts and the stretch of
-  // one reach.
-  const double reach = 2 * cell_.largest_radius() + layout_.gap();
-  const double stretch_rate = largest_principal(log_stretch_) / double(steps_);
-  double drifted = 0;
-  for (std::size_t step = 1; step <= steps_; ++step) {
-    kick();
-    drift(step);
-    double fastest2 = 0;
-    for (const Vector3 &v : cell_.velocity)
-      fastest2 = std::max(fastest2, v.squaredNorm());
-    drifted += 2 * step_ * std::sqrt(fastest2) + 1.01 * stretch_rate * reach;
-    if (drifted > layout_.gap()) {
-      cell_.contacts = layout_.contacts().memories();
-      list_pairs();
-      drifted = 0;
-    }
-    totals = layout_.sweep(affine_, Memory::written);
-    cell_.energy.friction_dissipation += totals.slid_work;
-    cell_.energy.plastic_dissipation += totals.yielded_work;
-    if (!std::isfinite(totals.normal_force) || totals.largest_overlap > 2) {
-      answer.outcome = Outcome::diverged;
-      return answer;
-    }
-  }
-  cell_.contacts = layout_.contacts().memories();
-  cell_.last = {};
-  answer.evaluations = steps_;
-  answer.stress = love_weber_stress(cell_);
-  answer.unbalance = unbalance(totals);
-  if (answer.unbalance > largest_unbalance)
-    answer.outcome = Outcome::unsettled;
-  answer.hill_mandel = hill_mandel_residual(cell_, step_back_, last_motion());
-  cell_.energy.work +=
-      0.25 * (old_volume + cell_.box.volume()) *
-      ((old_stress + answer.stress).array() * log_stretch_.array()).sum();
-  return answer;
-}
+// Strain after which the time step is chosen anew.
+constexpr double strain_of_a_part = 1e-3;
 } // namespace
 
 CellAnswer deform_by_dynamics(UnitCell &cell,
                               const Stretch &stretch,
                               const Dynamics &settings)
 {
-  return Motion(cell, stretch, settings).run();
-}
-
-double rayleigh_time_step(const GrainMaterial &material,
-                          double smallest_radius,
-                          double density_scaling)
-{
-  const double alpha = 0.1631 * material.poissons_ratio + 0.876605;
-  return std::numbers::pi * smallest_radius / alpha *
-         std::sqrt(density_scaling * material.density /
-                   material.shear_modulus());
+  const Matrix3 log_stretch = logarithm(stretch), h = stretch * cell.box.h;
+  const double size = largest_principal(log_stretch);
+  const double parts = std::max(1.0, std::ceil(size / strain_of_a_part - 1e-9));
+  Motion motion(cell, settings);
+  CellAnswer answer;
+  for (int part = 0; part < int(parts); ++part) {
+    const double step = motion.time_step();
+    const double steps = std::max(
+        1.0, std::ceil(size / parts / (settings.strain_rate * step) - 1e-9));
+    const bool whole =
+        motion.advance(log_stretch / parts, std::size_t(steps), step);
+    answer.evaluations = motion.steps();
+    if (!whole) {
+      answer.outcome = Outcome::diverged;
+      return answer;
+    }
+  }
+  cell.box.h = h; // the product of the parts, without their round-off
+  answer.stress = motion.stress();
+  answer.unbalance = motion.unbalance();
+  if (answer.unbalance > largest_unbalance)
+    answer.outcome = Outcome::unsettled;
+  answer.hill_mandel = motion.hill_mandel();
+  return answer;
 }
 
 DynamicMeasures measure_dynamics(const UnitCell &cell,

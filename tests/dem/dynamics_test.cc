@@ -2,6 +2,7 @@
 #include <dem/dynamics.h>
 #include <dem/measures.h>
 #include <dem/stretch.h>
+#include <dem/time_step.h>
 #include <tests/dem/sample_cells.h>
 
 #include <cmath>
