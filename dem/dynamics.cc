@@ -20,31 +20,25 @@ constexpr double strain_of_a_part = 1e-3;
 
 CellAnswer deform_by_dynamics(UnitCell &cell,
                               const Stretch &stretch,
-                              const Dynamics &settings)
+                              const Dynamics &settings,
+                              const Arithmetic &arithmetic)
 {
   const Matrix3 log_stretch = logarithm(stretch), h = stretch * cell.box.h;
   const double size = largest_principal(log_stretch);
   const double parts = std::max(1.0, std::ceil(size / strain_of_a_part - 1e-9));
-  Motion motion(cell, settings);
-  CellAnswer answer;
+  const auto motion = start_motion(cell, settings, arithmetic);
   for (int part = 0; part < int(parts); ++part) {
-    const double step = motion.time_step();
-    const double steps = std::max(
-        1.0, std::ceil(size / parts / (settings.strain_rate * step) - 1e-9));
-    const bool whole =
-        motion.advance(log_stretch / parts, std::size_t(steps), step);
-    answer.evaluations = motion.steps();
-    if (!whole) {
-      answer.outcome = Outcome::diverged;
-      return answer;
-    }
+    const double step = motion->time_step();
+    const double steps =
+        std::ceil(size / parts / (settings.strain_rate * step) - 1e-9);
+    if (!motion->advance(
+            log_stretch / parts, std::size_t(std::max(1.0, steps)), step))
+      return end_motion(*motion, Outcome::diverged);
   }
   cell.box.h = h; // the product of the parts, without their round-off
-  answer.stress = motion.stress();
-  answer.unbalance = motion.unbalance();
+  CellAnswer answer = end_motion(*motion, Outcome::settled);
   if (answer.unbalance > largest_unbalance)
     answer.outcome = Outcome::unsettled;
-  answer.hill_mandel = motion.hill_mandel();
   return answer;
 }
 
@@ -53,15 +47,16 @@ DynamicMeasures measure_dynamics(const UnitCell &cell,
                                  double pressure)
 {
   DynamicMeasures result;
-  const double density = cell.material.density * settings.density_scaling;
+  const double density = cell.materials[0].density * settings.density_scaling;
   if (pressure > 0)
     result.inertial_number = settings.strain_rate * 2 * cell.mean_radius() *
                              std::sqrt(density / pressure);
-  result.scaling_number = settings.strain_rate * cell.smallest_radius() *
-                          std::sqrt(density / cell.contact.limiting_pressure);
+  result.scaling_number =
+      settings.strain_rate * cell.smallest_radius() *
+      std::sqrt(density / cell.materials[0].limiting_pressure);
   for (std::size_t i = 0; i < cell.velocity.size(); ++i)
     result.kinetic_energy +=
-        0.5 * grain_mass(cell, i, settings.density_scaling) *
+        0.5 * settings.density_scaling * cell.mass(i) *
         (cell.velocity[i].squaredNorm() +
          0.4 * cell.radius[i] * cell.radius[i] * cell.spin[i].squaredNorm());
   return result;

@@ -14,7 +14,8 @@ namespace tamp::dem
 /// if the unbalance at the end is above 1e-2. Arguments as those of deform().
 CellAnswer deform_by_dynamics(UnitCell &cell,
                               const Stretch &stretch,
-                              const Dynamics &settings);
+                              const Dynamics &settings,
+                              const Arithmetic &arithmetic = {});
 
 /// The numbers by which a dynamic run is judged.
 struct DynamicMeasures {

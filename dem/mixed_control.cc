@@ -44,6 +44,6 @@ MixedAnswer deform_mixed(UnitCell &cell,
   relattice(cell);
   return driving.method == Method::quasi_static
              ? search_mixed(cell, control, driving)
-             : servo_mixed(cell, control, driving.dynamics);
+             : servo_mixed(cell, control, driving.dynamics, driving.arithmetic);
 }
 } // namespace tamp::dem

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <vector>
 
 namespace tamp::dem
@@ -23,7 +24,10 @@ constexpr std::size_t steps_between_looks = 5, looks_of_a_round = 100;
 class Servos
 {
 public:
-  Servos(UnitCell &cell, const MixedControl &control, const Dynamics &settings);
+  Servos(UnitCell &cell,
+         const MixedControl &control,
+         const Dynamics &settings,
+         const Arithmetic &arithmetic);
   MixedAnswer run();
 
 private:
@@ -35,7 +39,7 @@ private:
   UnitCell &cell_;
   const MixedControl &control_;
   double rate_;
-  Motion motion_;
+  std::unique_ptr<Motion> motion_;
   std::vector<ServoGain> gains_;
   Six prescribed_ = Six::Zero(), strain_ = Six::Zero();
   Six stiffness_ = Six::Zero();
@@ -44,9 +48,11 @@ private:
 
 Servos::Servos(UnitCell &cell,
                const MixedControl &control,
-               const Dynamics &settings)
+               const Dynamics &settings,
+               const Arithmetic &arithmetic)
     : cell_(cell), control_(control), rate_(settings.strain_rate),
-      motion_(cell, settings), gains_(6, ServoGain(settings.strain_rate))
+      motion_(start_motion(cell, settings, arithmetic)),
+      gains_(6, ServoGain(settings.strain_rate))
 {
   for (int k = 0; k < 6; ++k) {
     const ComponentControl &component = control.components[k];
@@ -60,13 +66,13 @@ Servos::Servos(UnitCell &cell,
 
 double Servos::accuracy() const
 {
-  const double pressure = std::abs(motion_.stress().trace()) / 3;
+  const double pressure = std::abs(motion_->stress().trace()) / 3;
   return control_.accuracy * std::max(largest_target_, pressure);
 }
 
 double Servos::worst_miss() const
 {
-  const Six stress = to_six(motion_.stress());
+  const Six stress = to_six(motion_->stress());
   double worst = 0;
   for (int k = 0; k < 6; ++k)
     if (control_.components[k].kind == ComponentControl::Kind::stress)
@@ -78,7 +84,7 @@ double Servos::worst_miss() const
 /// Strain rates of the free components; zero of the others.
 Six Servos::rates(double time)
 {
-  const Six stress = to_six(motion_.stress());
+  const Six stress = to_six(motion_->stress());
   const double near = accuracy();
   Six result = Six::Zero();
   for (int k = 0; k < 6; ++k)
@@ -98,18 +104,19 @@ bool Servos::look(double share)
       std::max<std::size_t>(1, std::size_t(std::ceil(time / step_ - 1e-9)));
   const Six part = share * prescribed_ + time * rates(time);
   strain_ += part;
-  return motion_.advance(from_six(part), steps, time / double(steps));
+  return motion_->advance(from_six(part), steps, time / double(steps));
 }
 
 MixedAnswer Servos::run()
 {
   const Matrix3 first_box = cell_.box.h;
   MixedAnswer result;
-  result.cell.outcome = Outcome::unsettled;
+  Outcome outcome = Outcome::unsettled;
   double place = duration_ > 0 ? 0 : 1;
-  for (std::size_t looks = 0; motion_.steps() < control_.most_steps; ++looks) {
+  for (std::size_t looks = 0; motion_->steps() < control_.most_steps; ++looks) {
     if (looks % looks_of_a_round == 0) {
-      step_ = motion_.time_step();
+      motion_->write_cell();
+      step_ = motion_->time_step();
       stiffness_ = voigt_tangent(cell_).diagonal();
     }
     const double way = std::min(
@@ -118,12 +125,12 @@ MixedAnswer Servos::run()
     const bool whole = look(way);
     place = way < 1 - place ? place + way : 1;
     if (!whole) {
-      result.cell.outcome = Outcome::diverged;
+      outcome = Outcome::diverged;
       break;
     }
     if (place == 1 && worst_miss() <= accuracy() &&
-        motion_.unbalance() <= control_.unbalance) {
-      result.cell.outcome = Outcome::settled;
+        motion_->unbalance() <= control_.unbalance) {
+      outcome = Outcome::settled;
       break;
     }
   }
@@ -136,18 +143,16 @@ MixedAnswer Servos::run()
   result.stretch = exponential(result.strain);
   if (strain_.tail<3>().isZero(0))
     cell_.box.h = result.stretch * first_box;
-  result.cell.evaluations = motion_.steps();
-  result.cell.stress = motion_.stress();
-  result.cell.unbalance = motion_.unbalance();
-  result.cell.hill_mandel = motion_.hill_mandel();
+  result.cell = end_motion(*motion_, outcome);
   return result;
 }
 } // namespace
 
 MixedAnswer servo_mixed(UnitCell &cell,
                         const MixedControl &control,
-                        const Dynamics &settings)
+                        const Dynamics &settings,
+                        const Arithmetic &arithmetic)
 {
-  return Servos(cell, control, settings).run();
+  return Servos(cell, control, settings, arithmetic).run();
 }
 } // namespace tamp::dem

@@ -9,7 +9,8 @@ namespace tamp::dem
 /// deform_mixed() by dynamics, with at least one stress prescribed.
 MixedAnswer servo_mixed(UnitCell &cell,
                         const MixedControl &control,
-                        const Dynamics &settings);
+                        const Dynamics &settings,
+                        const Arithmetic &arithmetic);
 } // namespace tamp::dem
 
 #endif

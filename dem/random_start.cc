@@ -40,7 +40,7 @@ UnitCell random_start(const PackingRequest &request)
       draw_radii(request.sizes, request.grain_count, request.seed);
   std::ranges::sort(radius, std::greater());
   UnitCell cell;
-  cell.material = request.material;
+  cell.materials = {request.material};
   cell.contact = request.contact;
   cell.radius = radius;
   const double edge =

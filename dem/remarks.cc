@@ -3,7 +3,7 @@
 #include <dem/remarks.h>
 #include <dem/unit_cell.h>
 
-#include <cmath>
+#include <algorithm>
 #include <numbers>
 #include <sstream>
 
@@ -30,6 +30,21 @@ std::string text(const Parts &...parts)
   (out << ... << parts);
   return out.str();
 }
+
+/// delta_y / R* of the hardest material; zero where nothing yields.
+double yield_overlap(const UnitCell &cell)
+{
+  double largest = 0;
+  if (cell.contact.normal_law == NormalLaw::thornton_ning ||
+      cell.contact.normal_law == NormalLaw::thornton_ning_jkr)
+    for (const GrainMaterial &material : cell.materials) {
+      const PairMaterial pair = pair_material(material, material);
+      const double root = std::numbers::pi * pair.limiting_pressure /
+                          (2 * pair.effective_modulus);
+      largest = std::max(largest, root * root);
+    }
+  return largest;
+}
 } // namespace
 
 std::vector<Remark>
@@ -38,7 +53,7 @@ judge(const UnitCell &cell, const Driving &driving, const Matrix3 &stress)
   using Kind = Remark::Kind;
   std::vector<Remark> remarks;
   if (const double density = cell.relative_density();
-      density > densest_of_pairs)
+      density > densest_of_pairs && cell.contact.normal_law != NormalLaw::mdr)
     remarks.push_back({Kind::beyond_pair_laws,
                        text("contact laws of pairs lose accuracy above a "
                             "relative density of about ",
@@ -66,13 +81,11 @@ judge(const UnitCell &cell, const Driving &driving, const Matrix3 &stress)
                             diameters,
                             " of its largest grains wide and will soon be too "
                             "narrow for nearest images; use more grains")});
-  const double root = std::numbers::pi * cell.contact.limiting_pressure /
-                      (2 * cell.material.effective_modulus());
-  if (cell.contact.normal_law == NormalLaw::thornton_ning &&
-      root * root > largest_yield_overlap)
+  if (const double overlap = yield_overlap(cell);
+      overlap > largest_yield_overlap)
     remarks.push_back({Kind::yields_out_of_range,
                        text("contacts would yield at an overlap of ",
-                            root * root,
+                            overlap,
                             " R* only, beyond any small contact; the limiting "
                             "contact pressure is too high for Young's "
                             "modulus")});

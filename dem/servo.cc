@@ -19,38 +19,35 @@ constexpr std::size_t steps_between_looks = 5, looks_of_a_round = 100;
 
 CellAnswer servo_to_pressure(UnitCell &cell,
                              const ServoGoal &goal,
-                             const Dynamics &settings)
+                             const Dynamics &settings,
+                             const Arithmetic &arithmetic)
 {
   Positive{}(goal.pressure, "pressure of the servo");
   const double near = goal.accuracy * goal.pressure;
   ServoGain gain(settings.strain_rate);
-  Motion motion(cell, settings);
-  CellAnswer answer;
-  answer.outcome = Outcome::unsettled;
+  const auto motion = start_motion(cell, settings, arithmetic);
+  Outcome outcome = Outcome::unsettled;
   double step = 0, stiffness = 0, missing = goal.pressure;
-  for (std::size_t look = 0; motion.steps() < goal.most_steps; ++look) {
+  for (std::size_t look = 0; motion->steps() < goal.most_steps; ++look) {
     if (look % looks_of_a_round == 0) {
-      step = motion.time_step();
+      motion->write_cell();
+      step = motion->time_step();
       stiffness = voigt_tangent(cell).topLeftCorner<3, 3>().sum() / 3;
     }
-    missing = goal.pressure + motion.stress().trace() / 3;
+    missing = goal.pressure + motion->stress().trace() / 3;
     const double time = step * double(steps_between_looks);
     const double rate = -gain.rate(missing, near, stiffness, time);
-    if (!motion.advance(
+    if (!motion->advance(
             rate * time * Matrix3::Identity(), steps_between_looks, step)) {
-      answer.outcome = Outcome::diverged;
+      outcome = Outcome::diverged;
       break;
     }
-    missing = goal.pressure + motion.stress().trace() / 3;
-    if (std::abs(missing) <= near && motion.unbalance() <= goal.unbalance) {
-      answer.outcome = Outcome::settled;
+    missing = goal.pressure + motion->stress().trace() / 3;
+    if (std::abs(missing) <= near && motion->unbalance() <= goal.unbalance) {
+      outcome = Outcome::settled;
       break;
     }
   }
-  answer.evaluations = motion.steps();
-  answer.stress = motion.stress();
-  answer.unbalance = motion.unbalance();
-  answer.hill_mandel = motion.hill_mandel();
-  return answer;
+  return end_motion(*motion, outcome);
 }
 } // namespace tamp::dem

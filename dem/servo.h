@@ -24,7 +24,8 @@ struct ServoGoal {
 /// Source: Sheng et al. (2004), eqs (7) and (8).
 CellAnswer servo_to_pressure(UnitCell &cell,
                              const ServoGoal &goal,
-                             const Dynamics &settings);
+                             const Dynamics &settings,
+                             const Arithmetic &arithmetic = {});
 } // namespace tamp::dem
 
 #endif

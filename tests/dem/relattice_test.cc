@@ -86,8 +86,8 @@ TEST(Relattice, NextAnswerIsTheSame)
   const Stretch stretch = test::uniaxial(-2e-3);
   UnitCell skew = skew_cell(), straight = skew;
   ASSERT_TRUE(relattice(straight));
-  const CellAnswer a = deform_quasi_static(skew, stretch, {}, nullptr);
-  const CellAnswer b = deform_quasi_static(straight, stretch, {}, nullptr);
+  const CellAnswer a = deform_quasi_static(skew, stretch, {}, {}, nullptr);
+  const CellAnswer b = deform_quasi_static(straight, stretch, {}, {}, nullptr);
   EXPECT_EQ(a.evaluations, b.evaluations);
   // Round-off, grown over some hundred steps of the relaxation.
   EXPECT_LT((a.stress - b.stress).norm(), 1e-10 * a.stress.norm());
@@ -109,7 +109,7 @@ public:
     const Stretch stretch = 0.5 * (own + own.transpose());
     const CellAnswer answer =
         anew ? deform(cell, stretch, {})
-             : deform_quasi_static(cell, stretch, {}, nullptr);
+             : deform_quasi_static(cell, stretch, {}, {}, nullptr);
     EXPECT_NE(answer.outcome, Outcome::diverged);
     frame_ = (R * frame_).eval();
     return frame_ * answer.stress * frame_.transpose();

@@ -41,8 +41,8 @@ TEST(Remarks, EachDoubtIsNamedAlone)
   EXPECT_TRUE(only(narrow, Kind::box_narrow));
 
   UnitCell misprint = test::alumina_cell(); // Sheng et al. (2004), table I
-  misprint.material.youngs_modulus = 70e6;
-  misprint.contact.limiting_pressure = 0.5e9;
+  misprint.materials[0].youngs_modulus = 70e6;
+  misprint.materials[0].limiting_pressure = 0.5e9;
   EXPECT_TRUE(only(misprint, Kind::yields_out_of_range));
   misprint.contact.normal_law = NormalLaw::hertz;
   EXPECT_TRUE(judge(misprint, {}, one_megapascal).empty());
