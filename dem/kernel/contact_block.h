@@ -16,11 +16,11 @@ struct alignas(64) ContactBlock {
   std::uint32_t first[lanes], second[lanes];
   T branch_x[lanes], branch_y[lanes], branch_z[lanes]; ///< when listed [m]
   T overlap[lanes];                                    ///< when listed [m]
-  T radius_sum[lanes];     ///< R_i + R_j [m]; of a padding lane -1
-  T reduced_radius[lanes]; ///< R* [m]
-  T force_x[lanes], force_y[lanes], force_z[lanes]; ///< tangential [N]
-  T largest_overlap[lanes];                         ///< [m]
-  T contact_radius[lanes];                          ///< [m]
+  T radius_sum[lanes];                                 ///< R_i + R_j [m]
+  T reduced_radius[lanes];                             ///< R* [m]
+  T force_x[lanes], force_y[lanes], force_z[lanes];    ///< tangential [N]
+  T largest_overlap[lanes];                            ///< [m]
+  T contact_radius[lanes];                             ///< [m]
 };
 
 /// Sixty-four contacts on their way through the loops of a sweep, small enough

@@ -4,10 +4,12 @@
 
 #include <dem/grains.h>
 #include <dem/kernel/contact_block.h>
+#include <dem/kernel/grain_motion.h>
 #include <dem/laws/pair_laws.h>
 
 #include <array>
 #include <cstddef>
+#include <type_traits>
 #include <variant>
 
 namespace tamp::dem
@@ -76,12 +78,22 @@ struct KernelLoops {
   std::array<Law, std::variant_size_v<AnyTangentialLaw>> tangential;
   Scatter scatter;
   Stress stress;
+  GrainLoops<T> grains;
 };
 
 /// All loops, compiled for one instruction set.
 struct Kernel {
   KernelLoops<double> in_double;
   KernelLoops<float> in_float;
+
+  template <class T>
+  const KernelLoops<T> &loops() const
+  {
+    if constexpr (std::is_same_v<T, double>)
+      return in_double;
+    else
+      return in_float;
+  }
 };
 } // namespace tamp::dem
 

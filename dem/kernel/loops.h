@@ -2,6 +2,7 @@
 #ifndef dem_kernel_loops_h
 #define dem_kernel_loops_h
 
+#include <dem/kernel/grain_loops.h>
 #include <dem/kernel/kernel.h>
 #include <dem/kernel/pack.h>
 #include <dem/kernel/transpose.h>
@@ -300,7 +301,8 @@ constexpr KernelLoops<T> all_loops(std::index_sequence<normal...>,
           {push<T, std::variant_alternative_t<normal, AnyNormalLaw>>...},
           {rub<T, std::variant_alternative_t<tangential, AnyTangentialLaw>>...},
           scatter<T>,
-          add_stress<T>};
+          add_stress<T>,
+          grain_loops<T>()};
 }
 
 template <class T>

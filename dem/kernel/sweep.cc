@@ -14,15 +14,6 @@ const void *address_of(const auto &law)
                     law);
 }
 
-template <class T>
-const KernelLoops<T> &loops_of(InstructionSet set)
-{
-  if constexpr (sizeof(T) == sizeof(double))
-    return kernel_of(set).in_double;
-  else
-    return kernel_of(set).in_float;
-}
-
 /// Where memory goes that nobody wants.
 template <class T>
 struct Scratch {
@@ -68,7 +59,7 @@ SweepTotals sweep(InstructionSet set,
                   GrainRows<T> &rows,
                   ContactBlocks<T> &contacts)
 {
-  const KernelLoops<T> &loops = loops_of<T>(set);
+  const KernelLoops<T> &loops = kernel_of(set).loops<T>();
   const AffineLanes<T> lanes = lanes_of<T>(affine);
   const std::size_t more_rows = contacts.more_per_contact();
   const bool frozen = request.memory == Memory::frozen;
