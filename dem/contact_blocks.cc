@@ -15,6 +15,7 @@ void clear(ContactBlock<T> &block)
   block = {};
   std::ranges::fill(block.branch_x, T(2));
   std::ranges::fill(block.radius_sum, T(1));
+  std::ranges::fill(block.inverse_sum, T(1));
   std::ranges::fill(block.overlap, T(-1));
   std::ranges::fill(block.reduced_radius, T(1));
 }
@@ -75,6 +76,7 @@ void ContactBlocks<T>::write(const NearPair &near,
   block.branch_z[lane] = T(near.branch[2]);
   block.overlap[lane] = T(near.overlap);
   block.radius_sum[lane] = T(ri + rj);
+  block.inverse_sum[lane] = T(1 / (ri + rj));
   block.reduced_radius[lane] = T(ri * rj / (ri + rj));
 }
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <dem/cell_laws.h>
 #include <dem/hill_mandel.h>
 #include <dem/measures.h>
 #include <dem/motion.h>
@@ -61,6 +62,7 @@ private:
   std::vector<Vector3> moved_;  // since then, less the motion of the box [m]
   double damping_ = 0;          // beta_g [kg/s]
   double spin_damping_ = 0;     // [kg m2/s]
+  double contact_damping_ = 0;  // beta of the contacts [-]
   double plastic_loss_ = 0;     // of the listed contacts, booked already [J]
   double step_ = 0;             // [s]
   Matrix3 step_stretch_ = Matrix3::Identity();
@@ -88,6 +90,8 @@ MotionIn<T>::MotionIn(UnitCell &cell,
   for (std::size_t i = 0; i < cell_.size(); ++i) {
     mass_.push_back(settings.density_scaling * cell_.mass(i));
     total += mass_.back();
+    // Dashpots of contacts are those of the scaled masses.
+    layout_.rows()[i].inverse_mass = T(1 / mass_.back());
     rayleigh_ = std::min(rayleigh_,
                          rayleigh_time_step(cell_.material_of(i),
                                             cell_.radius[i],
@@ -98,6 +102,10 @@ MotionIn<T>::MotionIn(UnitCell &cell,
   // Rotation is damped at the same rate as translation for a mean grain.
   const double radius = cell_.mean_radius();
   spin_damping_ = 0.4 * damping_ * radius * radius;
+  const CellLaws laws(cell);
+  for (std::size_t kind = 0; kind < laws.kinds(); ++kind)
+    if (const auto &viscous = laws.of_kind(kind).viscous)
+      contact_damping_ = std::max(contact_damping_, viscous->damping());
   list_pairs();
   totals_ = layout_.sweep(affine_, {Memory::frozen, true});
 }
@@ -108,14 +116,15 @@ template <class T>
 double MotionIn<T>::time_step() const
 {
   const auto stiffness = layout_.stiffness();
-  double frequency2 = 0;
-  for (std::size_t i = 0; i < mass_.size(); ++i)
-    frequency2 = std::max({frequency2,
-                           2 * stiffness.both[i] / mass_[i],
-                           5 * stiffness.tangential[i] / mass_[i]});
-  // The global damping is centred and does not count.
-  return fraction_ *
-         std::min(rayleigh_, stable_time_step(std::sqrt(frequency2), 0));
+  double step = rayleigh_;
+  for (std::size_t i = 0; i < mass_.size(); ++i) {
+    const double frequency2 = std::max(2 * stiffness.both[i] / mass_[i],
+                                       5 * stiffness.tangential[i] / mass_[i]);
+    const double ratio = contact_damping_ * std::sqrt(stiffness.contacts[i]);
+    // The global damping is centred and does not count.
+    step = std::min(step, stable_time_step(std::sqrt(frequency2), ratio));
+  }
+  return fraction_ * step;
 }
 
 /// Lists the pairs where the grains are. A pair that leaves the list takes its
@@ -224,6 +233,7 @@ bool MotionIn<T>::advance(const Matrix3 &log_stretch,
   step_stretch_ = exponential(part);
   step_back_ = exponential(-part);
   affine_.gradient = Matrix3::Identity() - step_back_;
+  affine_.time = time_step;
   const double reach = 2 * cell_.largest_radius() + layout_.gap();
   const double affine_approach = 1.01 * largest_principal(part) * reach;
   for (std::size_t step = 1; step <= steps; ++step) {
@@ -234,6 +244,7 @@ bool MotionIn<T>::advance(const Matrix3 &log_stretch,
     const Matrix3 before = totals_.moment;
     totals_ = layout_.sweep(affine_, {Memory::written, true});
     cell_.energy.friction_dissipation += totals_.lost_work;
+    cell_.energy.damping_dissipation += totals_.damped_work;
     cell_.energy.work -=
         0.5 * ((before + totals_.moment).array() * part.array()).sum();
     half_kick(false);

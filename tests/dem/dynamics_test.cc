@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <dem/dynamics.h>
 #include <dem/measures.h>
+#include <dem/motion.h>
 #include <dem/stretch.h>
 #include <dem/time_step.h>
 #include <tests/dem/sample_cells.h>
@@ -207,6 +208,53 @@ TEST(Dynamics, SlowerDrivingChangesLess)
   EXPECT_LT((slow - slower).norm(), 0.5 * (fast - slow).norm());
   // Where rates are slow they no longer matter: to the scatter of dynamics.
   EXPECT_LT((slow - slower).norm(), 0.05 * slower.norm());
+}
+
+/// Soft grains with damping in the contacts.
+UnitCell damped_cell(double restitution)
+{
+  PackingRequest request = test::alumina_request();
+  request.material.youngs_modulus = 70e6;
+  request.contact.normal_law = NormalLaw::hertz;
+  UnitCell cell = make_packing(request);
+  cell.contact.restitution_coefficient = restitution;
+  return cell;
+}
+
+/// Axial stress after 2 % of strain with a step that is a share of the Rayleigh
+/// step [Pa].
+double stress_with_step(UnitCell cell, double rayleigh_share)
+{
+  Driving driving = driven(5e-4);
+  driving.dynamics.global_damping = 0;
+  driving.dynamics.density_scaling = 1e8;
+  const auto motion = start_motion(cell, driving.dynamics, driving.arithmetic);
+  const double step =
+      rayleigh_share * rayleigh_time_step(cell.materials[0],
+                                          cell.smallest_radius(),
+                                          driving.dynamics.density_scaling);
+  Matrix3 strain = Matrix3::Zero();
+  strain(1, 1) = -0.02;
+  const double steps = 0.02 / (driving.dynamics.strain_rate * step);
+  EXPECT_TRUE(motion->advance(strain, std::size_t(steps), step));
+  return motion->stress()(1, 1);
+}
+
+TEST(Dynamics, StepBoundCountsHeavyContactDamping)
+{
+  const UnitCell cell = damped_cell(0.2);
+  const double fine = stress_with_step(cell, 0.05);
+  // A fifth of the Rayleigh step, fine for elastic contacts, loses stress.
+  EXPECT_LT(stress_with_step(cell, 0.2) / fine, 0.6);
+  EXPECT_NEAR(stress_with_step(damped_cell(0.9), 0.2) / fine, 1, 0.01);
+  // A larger share, but of the bound as well, gives the stress of fine steps.
+  UnitCell bounded = cell;
+  Driving driving = driven(5e-4);
+  driving.dynamics.global_damping = 0;
+  driving.dynamics.density_scaling = 1e8;
+  driving.dynamics.time_step_fraction = 0.5;
+  EXPECT_NEAR(
+      compress(bounded, -0.02, 1, driving).stress(1, 1) / fine, 1, 0.01);
 }
 
 TEST(Dynamics, WildStretchDiverges)

@@ -93,7 +93,6 @@ TEST_P(MixedControlBy, HoldsTheLateralStressOfATriaxialPath)
   }
   // Five stretches of exp(-2e-3), to round-off.
   EXPECT_NEAR(cell.box.h(2, 2) / first(2, 2), std::exp(-1e-2), 1e-14);
-  EXPECT_GT(cell.box.h(0, 0), first(0, 0));
 }
 
 TEST_P(MixedControlBy, IsOrdinaryDeformationWithoutStresses)

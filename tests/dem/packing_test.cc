@@ -8,6 +8,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <stdexcept>
+#include <vector>
 
 namespace tamp::dem
 {
@@ -74,7 +75,7 @@ TEST(Packing, StartsWithoutAPast)
   EXPECT_TRUE(cell.velocity.empty());
   EXPECT_TRUE(cell.spin.empty());
   EXPECT_EQ(cell.contact, alumina_request().contact);
-  EXPECT_EQ(cell.material, alumina_request().material);
+  EXPECT_EQ(cell.materials, std::vector{alumina_request().material});
 }
 
 TEST(Packing, FrictionWhilePackingMakesItLooser)

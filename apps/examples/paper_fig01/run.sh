@@ -12,7 +12,8 @@ root=$(cd "$here/../../.." && pwd)
 tamp=${1:-$root/build/apps/tamp}
 folder=${2:-$root/results/paper_fig01}
 mkdir -p "$folder"
-scalings=${SCALINGS:-"1e12 1e13 1e14 1e15 1e16 1e17 1e18 1e19 1e20 1e21 1e22 1e23"}
+scalings=${SCALINGS:-"1e12 1e13 1e14 1e15 1e16 1e17 1e18 1e19 1e20 1e21 1e22
+  1e23"}
 
 # The strain of a time step is 0.09 times the scaling number times the fraction
 # over 0.2: from a scaling number of about 1e-3 on, the fraction keeps it.
