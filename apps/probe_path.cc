@@ -168,26 +168,27 @@ void read_components(StageReader &reader, fem::PathStage &stage)
   } while (!reader.done());
 }
 
+const std::vector<std::string> stage_kinds{"isotropic",
+                                           "uniaxial",
+                                           "unload",
+                                           "triaxial",
+                                           "proportional",
+                                           "shear",
+                                           "components",
+                                           "hold",
+                                           "csv",
+                                           "simple",
+                                           "constant-p"};
+
 ProbeStage read_stage(const std::string &text,
                       unsigned number,
                       const ProbeIncrements &increments)
 {
   StageReader reader(text, number);
   ProbeStage probe;
-  const std::vector<std::string> kinds{"isotropic",
-                                       "uniaxial",
-                                       "unload",
-                                       "triaxial",
-                                       "proportional",
-                                       "shear",
-                                       "components",
-                                       "hold",
-                                       "csv",
-                                       "simple",
-                                       "constant-p"};
-  const std::size_t kind = reader.expect(kinds);
+  const std::size_t kind = reader.expect(stage_kinds);
   fem::PathStage &stage = probe.stage;
-  stage = at_rest(kinds[kind], increments.loading);
+  stage = at_rest(stage_kinds[kind], increments.loading);
   switch (kind) {
   case 0:
     read_isotropic(reader, stage);

@@ -234,7 +234,7 @@ void rub(const void *constants,
       keep(answer.force.y, after.force_y);
       keep(answer.force.z, after.force_z);
       if constexpr (booked)
-        lost += select(touches, answer.lost_work, P(0.0));
+        lost += answer.lost_work;
     }
   totals.lost_work += sum(lost);
 }

@@ -175,7 +175,8 @@ public:
   }
 
 private:
-  static constexpr double middle_radius = 1e-3; // [m]; quick_cube_root is best here
+  static constexpr double middle_radius =
+      1e-3; // [m]; quick_cube_root is best here
 
   double effective_modulus_; // E*
   double pull_off_;          // 3/2 pi Gamma

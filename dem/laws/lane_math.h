@@ -56,6 +56,20 @@ V cube_root(const V &x)
   return y;
 }
 
+/// e^x for -4.4 <= x <= 0, to 1e-13 of its value: a polynomial of degree 9 in
+/// x / 32, squared five times.
+template <class V>
+V exponential(const V &x)
+{
+  const V part = x * V(1.0 / 32);
+  V power = V(1.0);
+  for (double order = 9; order > 0; order -= 1)
+    power = V(1.0) + power * part * V(1 / order);
+  for (int doubling = 0; doubling < 5; ++doubling)
+    power = power * power;
+  return power;
+}
+
 /// A vector of three packs.
 template <class V>
 struct Triple {

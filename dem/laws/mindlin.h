@@ -52,7 +52,8 @@ struct Mindlin {
   /// The old force turns with the contact, shrinks with the contact radius when
   /// the normal force fell, grows by the slip in the contact plane, and is
   /// capped at mu N. Lost is the work of sliding, and what a change of the
-  /// contact radius takes off the energy T^2 / (2 k_t) of the old force.
+  /// contact radius or of the cap takes off the energy T^2 / (2 k_t) of the old
+  /// force.
   template <class V>
   TangentialAnswer<V>
   operator()(const Triple<V> &old_force, const ContactMotion<V> &now, V *) const
@@ -65,11 +66,31 @@ struct Mindlin {
     const V size = sqrt(dot(tried, tried));
     const V limit = cap(now.push);
     const V share = min(V(1.0), limit / max(size, V(tiny)));
-    const V slid = limit * max(size - limit, V(0.0));
-    const V stored = V(0.5) * (dot(old_force, old_force) *
-                                   (radius / max(now.old_radius, V(tiny))) -
-                               dot(kept, kept));
-    return {share * tried, (slid + stored) / max(k, V(tiny))};
+    return {share * tried,
+            taken(old_force, now.old_radius, kept, k) +
+                slid(size, sqrt(dot(kept, kept)), limit, k)};
+  }
+
+private:
+  /// Energy that a changing stiffness takes off the old force [J].
+  template <class V>
+  V taken(const Triple<V> &old_force,
+          const V &old_radius,
+          const Triple<V> &kept,
+          const V &k) const
+  {
+    return V(0.5) *
+           (dot(old_force, old_force) / max(stiffness(old_radius), V(tiny)) -
+            dot(kept, kept) / max(k, V(tiny)));
+  }
+  /// Work of sliding at the limit, and what a limit below the kept force takes
+  /// [J].
+  template <class V>
+  static V slid(const V &size, const V &kept, const V &limit, const V &k)
+  {
+    const V beyond = max(kept - limit, V(0.0));
+    return (limit * max(size - limit, V(0.0)) + V(0.5) * beyond * beyond) /
+           max(k, V(tiny));
   }
 };
 
