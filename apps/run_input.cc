@@ -18,9 +18,11 @@ void declare_path(ParameterTable &table)
              "Divided by semicolons, compression positive, axis z: isotropic "
              "to strain E or pressure P; uniaxial to strain E or stress S; "
              "unload to strain E, stress S or R % of peak; triaxial to strain "
-             "E at pressure P; proportional K to strain E; shear to strain E; "
-             "components xx strain E yy stress S ...; hold N steps; or csv "
-             "FILE alone with F of every increment. Strains are logarithmic");
+             "E at pressure P; proportional K to strain E; pure shear "
+             "'shear to strain E'; simple shear to strain G; constant-p shear "
+             "to strain E at pressure P; components xx strain E yy stress S "
+             "...; hold N steps; csv FILE with F of every increment. Strains "
+             "are logarithmic");
   table.quantity("Maximum strain increment",
                  "5e-3",
                  dimension::number,
@@ -64,19 +66,9 @@ void read_path(const ParameterTable &table, RunInput &input)
     input.path = parse_path(table.word(path),
                             {table.number("Path/Maximum strain increment"),
                              table.number("Path/Maximum unloading increment")});
+    read_files(input.path, table.folder(path));
   } catch (const InputError &error) {
     table.complain(path, error.what());
-  }
-  auto &gradients = input.path.gradients;
-  if (!gradients.empty()) {
-    gradients = table.folder(path) / gradients;
-    if (!std::filesystem::is_regular_file(gradients))
-      table.complain(path, "there is no file '" + gradients.string() + "'");
-    try {
-      read_gradients(gradients);
-    } catch (const InputError &error) {
-      table.complain(path, error.what());
-    }
   }
   input.stress_tolerance = table.number("Path/Stress tolerance");
 }

@@ -34,8 +34,9 @@ std::vector<std::filesystem::path> files_of(const RunOptions &options,
                                             const RunInput &input)
 {
   std::vector<std::filesystem::path> files{options.input};
-  if (!input.path.gradients.empty())
-    files.push_back(input.path.gradients);
+  for (const ProbeStage &probe : input.path.stages)
+    if (!probe.file.empty())
+      files.push_back(probe.file);
   if (!input.die.geometry.mesh_file.empty())
     files.emplace_back(input.die.geometry.mesh_file);
   return files;
