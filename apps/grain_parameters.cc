@@ -243,7 +243,7 @@ void read_grains(const ParameterTable &table,
   packing.seed = static_cast<std::uint64_t>(table.whole("Packing/Seed"));
   packing.initial_relative_density =
       table.number("Packing/Initial relative density");
-  packing.pressure = table.number("Packing/Pressure");
+  packing.goal.pressure = table.number("Packing/Pressure");
   packing.friction_during_packing =
       table.number("Packing/Friction during packing");
 

@@ -20,7 +20,7 @@ coupling::Material prepare_material(RunSession &session, std::size_t count)
     log.begin(fmt::format("packing {} x {} grains to {:.4g} MPa",
                           choice.same_packing ? 1 : count,
                           choice.packing.grain_count,
-                          choice.packing.pressure / 1e6));
+                          choice.packing.goal.pressure / 1e6));
   try {
     auto material =
         coupling::make_material(choice, count, [&](std::size_t made) {

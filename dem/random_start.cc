@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <dem/cell_shape.h>
 #include <dem/random_numbers.h>
 #include <dem/random_start.h>
 
@@ -43,10 +44,12 @@ UnitCell random_start(const PackingRequest &request)
   cell.material = request.material;
   cell.contact = request.contact;
   cell.radius = radius;
-  const double edge =
-      std::cbrt(cell.solid_volume() / request.initial_relative_density);
+  const double ratio = cell_shape(request);
+  const double edge = std::cbrt(cell.solid_volume() /
+                                (request.initial_relative_density * ratio));
   cell.radius.clear();
   cell.box.h = edge * Matrix3::Identity();
+  cell.box.h(2, 2) *= ratio;
   RandomNumbers random(seed_of(request.seed, 0));
   for (double r : radius)
     if (!add_grain(cell, r, random))

@@ -7,9 +7,9 @@
 
 namespace tamp::dem
 {
-/// Grains at random places of a cubic cell, none touching: random sequential
-/// addition, largest grains first. Throws std::runtime_error if no room is left
-/// (relative densities beyond about 0.38).
+/// Grains at random places of a cell of the shape cell_shape(), none touching:
+/// random sequential addition, largest grains first. Throws std::runtime_error
+/// if no room is left (relative densities beyond about 0.38).
 UnitCell random_start(const PackingRequest &request);
 } // namespace tamp::dem
 

@@ -32,7 +32,7 @@ PackingRequest alumina_request()
   request.material = {3.5e9, 0.3, 2000};
   request.contact.friction_coefficient = 0.35;
   request.contact.limiting_pressure = 50e6;
-  request.pressure = 0.5e6;
+  request.goal.pressure = 0.5e6;
   return request;
 }
 
