@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef coupling_hdf5_image_h
+#define coupling_hdf5_image_h
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace tamp::coupling
+{
+/// The bytes of an HDF5 file that is being made in memory. The same content
+/// gives the same bytes. Not for two threads at once, as HDF5 itself.
+class Hdf5Writer
+{
+public:
+  Hdf5Writer();
+  ~Hdf5Writer();
+
+  /// A dataset of `values` in rows of `columns`, with checksum and unit;
+  /// folders in its name are made.
+  void numbers(const std::string &name,
+               const std::string &unit,
+               std::span<const double> values,
+               std::size_t columns = 1);
+  void integers(const std::string &name,
+                std::span<const std::uint32_t> values,
+                std::size_t columns = 1);
+  void text(const std::string &name, const std::string &value);
+  /// The whole file.
+  std::vector<char> bytes();
+
+private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+/// Reads what Hdf5Writer writes. All functions throw std::invalid_argument
+/// naming the dataset that is missing, damaged, or of another kind or shape.
+class Hdf5Reader
+{
+public:
+  explicit Hdf5Reader(std::span<const char> bytes);
+  ~Hdf5Reader();
+
+  static bool recognises(std::span<const char> bytes);
+  std::vector<double> numbers(const std::string &name, std::size_t columns = 1);
+  std::vector<std::uint32_t> integers(const std::string &name,
+                                      std::size_t columns = 1);
+  std::string text(const std::string &name);
+
+private:
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+} // namespace tamp::coupling
+
+#endif
