@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <hdf5.h>
+#include <iomanip>
+#include <sstream>
 #include <stdexcept>
 #include <string_view>
 
@@ -73,6 +75,28 @@ std::string name_of(const void *owner)
   return std::to_string(reinterpret_cast<std::uintptr_t>(owner));
 }
 
+// HDF5 leaves the first bytes of a file to its user.
+constexpr std::size_t user_block = 512;
+
+/// FNV-1a, 64 bits.
+std::uint64_t checksum(std::span<const char> bytes)
+{
+  std::uint64_t sum = 14695981039346656037u;
+  for (const char byte : bytes)
+    sum = (sum ^ static_cast<unsigned char>(byte)) * 1099511628211u;
+  return sum;
+}
+
+/// What stands at the beginning of a file.
+std::string title(const std::string &format, std::span<const char> image)
+{
+  std::ostringstream text;
+  text << format << ", HDF5 from byte " << user_block << " on, checksum "
+       << std::hex << std::setw(16) << std::setfill('0') << checksum(image)
+       << '\n';
+  return text.str();
+}
+
 void add_unit(hid_t dataset, const std::string &unit)
 {
   const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
@@ -118,10 +142,6 @@ struct Hdf5Writer::Implementation {
     must(H5Pset_create_intermediate_group(folders, 1) >= 0 &&
              H5Pset_obj_track_times(settings, false) >= 0,
          "prepare a dataset");
-    if (count > 0) // one piece, which a checksum needs
-      must(H5Pset_chunk(settings, rank, shape.data()) >= 0 &&
-               H5Pset_fletcher32(settings) >= 0,
-           "prepare a checksum");
     const Handle dataset(
         H5Dcreate2(
             file, name.c_str(), stored, space, folders, settings, H5P_DEFAULT),
@@ -175,15 +195,19 @@ void Hdf5Writer::text(const std::string &name, const std::string &value)
   implementation_->write(name, type, type, value.c_str(), 1, 1, "");
 }
 
-std::vector<char> Hdf5Writer::bytes()
+std::vector<char> Hdf5Writer::bytes(const std::string &format)
 {
   const hid_t file = implementation_->file;
   must(H5Fflush(file, H5F_SCOPE_GLOBAL) >= 0, "finish a file");
   const ssize_t size = H5Fget_file_image(file, nullptr, 0);
   must(size > 0, "finish a file");
-  std::vector<char> bytes(static_cast<std::size_t>(size));
-  must(H5Fget_file_image(file, bytes.data(), bytes.size()) == size,
+  std::vector<char> bytes(user_block + static_cast<std::size_t>(size), ' ');
+  const std::span<char> image = std::span(bytes).subspan(user_block);
+  must(H5Fget_file_image(file, image.data(), image.size()) == size,
        "finish a file");
+  const std::string text = title(format, image);
+  must(text.size() <= user_block, "hold so long a name");
+  std::ranges::copy(text, bytes.begin());
   return bytes;
 }
 
@@ -195,8 +219,7 @@ struct Hdf5Reader::Implementation {
       : file(open(this, bytes), H5Fclose)
   {
     if (!file.good())
-      throw std::invalid_argument(
-          "it is no HDF5 file, or a damaged or incomplete one");
+      throw std::invalid_argument("it is no HDF5 file");
   }
 
   static hid_t open(const void *owner, std::span<const char> bytes)
@@ -253,13 +276,28 @@ struct Hdf5Reader::Implementation {
   static constexpr hsize_t largest_count = hsize_t(1) << 28;
 };
 
-Hdf5Reader::Hdf5Reader(std::span<const char> bytes)
-    : implementation_(std::make_unique<Implementation>(bytes))
+Hdf5Reader::Hdf5Reader(std::span<const char> bytes, const std::string &format)
 {
+  if (!recognises(bytes, format))
+    throw std::invalid_argument("it does not begin as a " + format);
+  const std::string wanted =
+      bytes.size() < user_block ? "" : title(format, bytes.subspan(user_block));
+  if (wanted.empty() ||
+      !std::equal(wanted.begin(), wanted.end(), bytes.begin()))
+    throw std::invalid_argument(
+        "it is damaged or incomplete: its checksum does not fit");
+  implementation_ = std::make_unique<Implementation>(bytes.subspan(user_block));
 }
 Hdf5Reader::~Hdf5Reader() = default;
 
-bool Hdf5Reader::recognises(std::span<const char> bytes)
+bool Hdf5Reader::recognises(std::span<const char> bytes,
+                            const std::string &format)
+{
+  return bytes.size() >= format.size() &&
+         std::equal(format.begin(), format.end(), bytes.begin());
+}
+
+bool Hdf5Reader::foreign(std::span<const char> bytes)
 {
   constexpr std::string_view signature = "\211HDF\r\n\032\n";
   return bytes.size() >= signature.size() &&

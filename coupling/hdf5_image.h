@@ -18,8 +18,8 @@ public:
   Hdf5Writer();
   ~Hdf5Writer();
 
-  /// A dataset of `values` in rows of `columns`, with checksum and unit;
-  /// folders in its name are made.
+  /// A dataset of `values` in rows of `columns`, with its unit; folders
+  /// in its name are made.
   void numbers(const std::string &name,
                const std::string &unit,
                std::span<const double> values,
@@ -28,8 +28,9 @@ public:
                 std::span<const std::uint32_t> values,
                 std::size_t columns = 1);
   void text(const std::string &name, const std::string &value);
-  /// The whole file.
-  std::vector<char> bytes();
+  /// The whole file. Its first line says what it is, `format`, and has a
+  /// checksum of all that follows; programs that know HDF5 pass over it.
+  std::vector<char> bytes(const std::string &format);
 
 private:
   struct Implementation;
@@ -41,10 +42,15 @@ private:
 class Hdf5Reader
 {
 public:
-  explicit Hdf5Reader(std::span<const char> bytes);
+  /// Throws also if the bytes are not a whole file of this format, to the bit.
+  Hdf5Reader(std::span<const char> bytes, const std::string &format);
   ~Hdf5Reader();
 
-  static bool recognises(std::span<const char> bytes);
+  /// Whether a file begins as one of this format.
+  static bool recognises(std::span<const char> bytes,
+                         const std::string &format);
+  /// Whether it is an HDF5 file that another program made.
+  static bool foreign(std::span<const char> bytes);
   std::vector<double> numbers(const std::string &name, std::size_t columns = 1);
   std::vector<std::uint32_t> integers(const std::string &name,
                                       std::size_t columns = 1);

@@ -20,7 +20,7 @@ using dem::ContactMemory;
 using dem::UnitCell;
 using dem::Vector3;
 
-constexpr const char *kind = "tamp packing";
+constexpr const char *format = "tamp packing";
 constexpr std::uint32_t version = 1;
 
 // Order as in the enumerations of dem.
@@ -38,7 +38,7 @@ std::span<const double> flat(const std::vector<Vector3> &vectors)
 class Sink
 {
 public:
-  std::vector<char> bytes() { return out_.bytes(); }
+  std::vector<char> bytes() { return out_.bytes(format); }
 
   void number(const char *name, const char *unit, const double &value)
   {
@@ -74,11 +74,7 @@ public:
   {
     out_.text(name, names.at(static_cast<std::size_t>(value)));
   }
-  void version_of_file()
-  {
-    out_.text("/format", kind);
-    out_.integers("/version", {&version, 1});
-  }
+  void version_of_file() { out_.integers("/version", {&version, 1}); }
 
 private:
   Hdf5Writer out_;
@@ -88,7 +84,7 @@ private:
 class Source
 {
 public:
-  explicit Source(std::span<const char> bytes) : in_(bytes) {}
+  explicit Source(std::span<const char> bytes) : in_(bytes, format) {}
 
   void number(const char *name, const char *, double &value)
   {
@@ -131,8 +127,6 @@ public:
   }
   void version_of_file()
   {
-    if (in_.text("/format") != kind)
-      throw std::invalid_argument("it is another HDF5 file, no packing");
     const auto found = sized(in_.integers("/version"), 1, "/version")[0];
     if (found != version)
       throw std::invalid_argument("its version is " + std::to_string(found) +
@@ -271,7 +265,11 @@ void write_packing_text(const UnitCell &cell, const std::filesystem::path &file)
 UnitCell read_packing(const std::filesystem::path &file)
 {
   const std::vector<char> bytes = read_whole_file(file);
-  if (!Hdf5Reader::recognises(bytes))
+  if (Hdf5Reader::foreign(bytes))
+    throw std::invalid_argument(file.string() +
+                                ": it is an HDF5 file of another program, "
+                                "which holds no packing that can be read");
+  if (!Hdf5Reader::recognises(bytes, format))
     return packing_from_text({bytes.begin(), bytes.end()}, file.string());
   try {
     return packing_from_hdf5(bytes);

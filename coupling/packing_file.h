@@ -10,8 +10,9 @@
 namespace tamp::coupling
 {
 /// Writes a whole cell, its contact history included, as a new HDF5 file:
-/// datasets with names and units, a version, checksums. The same cell gives the
-/// same bytes. Throws FileError if it cannot be written or exists.
+/// datasets with names and units, a version, and a checksum in its first line.
+/// The same cell gives the same bytes. Throws FileError if it cannot be written
+/// or exists.
 void write_packing(const dem::UnitCell &cell,
                    const std::filesystem::path &file);
 
