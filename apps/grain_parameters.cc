@@ -238,7 +238,7 @@ void read_grains(const ParameterTable &table,
   contact.tangential_law = chosen<dem::TangentialLaw>(
       table, "Contact/Tangential law", tangential_laws);
   contact.friction_coefficient = table.number("Contact/Friction coefficient");
-  contact.limiting_pressure = table.number("Contact/Limiting contact pressure");
+  packing.material.limiting_pressure = table.number("Contact/Limiting contact pressure");
 
   packing.seed = static_cast<std::uint64_t>(table.whole("Packing/Seed"));
   packing.initial_relative_density =

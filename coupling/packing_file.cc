@@ -24,8 +24,10 @@ constexpr const char *format = "tamp packing";
 constexpr std::uint32_t version = 1;
 
 // Order as in the enumerations of dem.
-constexpr std::array normal_laws{"hertz", "thornton-ning"};
-constexpr std::array tangential_laws{"none", "mindlin"};
+constexpr std::array normal_laws{
+    "hertz", "thornton-ning", "jkr", "thornton-ning-jkr", "storakers", "mdr"};
+constexpr std::array tangential_laws{"none", "mindlin", "mindlin-deresiewicz"};
+constexpr std::array rolling_laws{"none", "epsd"};
 
 /// Numbers that lie one after the other, as a view.
 std::span<const double> flat(const std::vector<Vector3> &vectors)
@@ -33,6 +35,18 @@ std::span<const double> flat(const std::vector<Vector3> &vectors)
   static_assert(sizeof(Vector3) == 3 * sizeof(double));
   return {reinterpret_cast<const double *>(vectors.data()), 3 * vectors.size()};
 }
+
+/// What a material is described by, with names and units.
+struct MaterialColumn {
+  const char *name, *unit;
+  double dem::GrainMaterial::*value;
+};
+constexpr std::array material_columns{
+    MaterialColumn{"youngs_modulus", "Pa", &dem::GrainMaterial::youngs_modulus},
+    MaterialColumn{"poissons_ratio", "-", &dem::GrainMaterial::poissons_ratio},
+    MaterialColumn{"density", "kg/m3", &dem::GrainMaterial::density},
+    MaterialColumn{
+        "limiting_pressure", "Pa", &dem::GrainMaterial::limiting_pressure}};
 
 /// Writes the parts of a cell. A cell is read by the same calls, see Source.
 class Sink
@@ -59,6 +73,21 @@ public:
                const std::vector<Vector3> &values)
   {
     out_.numbers(name, unit, flat(values), 3);
+  }
+  void materials(const std::string &folder,
+                 const std::vector<dem::GrainMaterial> &materials)
+  {
+    for (const auto &[name, unit, value] : material_columns) {
+      std::vector<double> column;
+      for (const dem::GrainMaterial &material : materials)
+        column.push_back(material.*value);
+      out_.numbers(folder + name, unit, column);
+    }
+  }
+  void species(const char *name, const std::vector<std::uint8_t> &species)
+  {
+    out_.integers(name,
+                  std::vector<std::uint32_t>(species.begin(), species.end()));
   }
   void pairs(const char *name, const std::vector<dem::Pair> &pairs)
   {
@@ -105,6 +134,26 @@ public:
     values.clear();
     for (std::size_t k = 0; k < found.size(); k += 3)
       values.emplace_back(found[k], found[k + 1], found[k + 2]);
+  }
+  void materials(const std::string &folder,
+                 std::vector<dem::GrainMaterial> &materials)
+  {
+    materials.clear();
+    for (const auto &[name, unit, value] : material_columns) {
+      const std::vector<double> column = in_.numbers(folder + name);
+      if (materials.empty())
+        materials.resize(column.size());
+      sized(column, materials.size(), folder + name);
+      for (std::size_t k = 0; k < column.size(); ++k)
+        materials[k].*value = column[k];
+    }
+  }
+  void species(const char *name, std::vector<std::uint8_t> &species)
+  {
+    const auto found = in_.integers(name);
+    if (std::ranges::any_of(found, [](auto value) { return value > 255; }))
+      throw std::invalid_argument("it has more than 256 species");
+    species.assign(found.begin(), found.end());
   }
   void pairs(const char *name, std::vector<dem::Pair> &pairs)
   {
@@ -181,20 +230,25 @@ template <class File, class Cell, class Columns>
 void visit_parts(File &file, Cell &cell, Columns &contacts)
 {
   file.version_of_file();
-  auto &material = cell.material;
-  file.number("/material/youngs_modulus", "Pa", material.youngs_modulus);
-  file.number("/material/poissons_ratio", "-", material.poissons_ratio);
-  file.number("/material/density", "kg/m3", material.density);
+  file.materials("/materials/", cell.materials);
   auto &law = cell.contact;
   file.choice("/contact_model/normal_law", normal_laws, law.normal_law);
   file.choice(
       "/contact_model/tangential_law", tangential_laws, law.tangential_law);
   file.number(
       "/contact_model/friction_coefficient", "-", law.friction_coefficient);
-  file.number("/contact_model/limiting_pressure", "Pa", law.limiting_pressure);
+  file.choice("/contact_model/rolling_law", rolling_laws, law.rolling_law);
+  file.number("/contact_model/work_of_adhesion", "J/m2", law.work_of_adhesion);
+  file.number("/contact_model/rolling_friction_coefficient",
+              "-",
+              law.rolling_friction_coefficient);
+  file.number("/contact_model/restitution_coefficient",
+              "-",
+              law.restitution_coefficient);
   file.matrix("/box", "m", cell.box.h);
   file.number("/reference_volume", "m3", cell.reference_volume);
   file.numbers("/grains/radius", "m", cell.radius);
+  file.species("/grains/species", cell.species);
   file.vectors("/grains/place", "-", cell.place);
   file.vectors("/grains/velocity", "m/s", cell.velocity);
   file.vectors("/grains/spin", "rad/s", cell.spin);
@@ -202,6 +256,7 @@ void visit_parts(File &file, Cell &cell, Columns &contacts)
   file.vectors("/contacts/tangential_force", "N", contacts.tangential_force);
   file.numbers("/contacts/largest_overlap", "m", contacts.largest_overlap);
   file.numbers("/contacts/contact_radius", "m", contacts.contact_radius);
+  file.numbers("/contacts/more_memory", "", cell.more_memory);
   auto &near = cell.neighbours;
   file.pairs("/neighbours/pair", near.pairs);
   file.number("/neighbours/skin", "m", near.skin);
@@ -226,7 +281,8 @@ void check_cell(const UnitCell &cell)
   } catch (const std::runtime_error &) {
     throw std::invalid_argument("its parts do not fit together");
   }
-  cell.material.check();
+  for (const dem::GrainMaterial &material : cell.materials)
+    material.check();
   cell.contact.check();
   if (!(cell.box.volume() > 0) || !(cell.reference_volume > 0))
     throw std::invalid_argument("its box has no volume");
@@ -289,7 +345,7 @@ void settle(UnitCell &cell)
   // Forces of grains that barely touch: a billionth of E d^2.
   const double diameter = 2 * cell.mean_radius();
   driving.quasi_static.force_floor =
-      1e-9 * cell.material.youngs_modulus * diameter * diameter;
+      1e-9 * cell.materials[0].youngs_modulus * diameter * diameter;
   for (int k = 0; k < most_rests; ++k)
     if (const auto answer = deform(cell, dem::Stretch::Identity(), driving);
         answer.outcome == dem::Outcome::settled)
@@ -309,15 +365,17 @@ History adopt_packing(UnitCell &cell,
   dem::ContactModel same_laws = cell.contact;
   same_laws.friction_coefficient = contact.friction_coefficient;
   History history = History::kept;
-  if (cell.material != material || same_laws != contact ||
+  if (cell.materials != materials || same_laws != contact ||
       cell.contacts.empty())
     history = History::forgotten;
   else if (cell.contact != contact)
     history = History::slipped;
-  cell.material = material;
+  cell.materials = materials;
   cell.contact = contact;
-  if (history == History::forgotten)
+  if (history == History::forgotten) {
     cell.contacts.clear();
+    cell.more_memory.clear();
+  }
   cell.velocity.clear();
   cell.spin.clear();
   cell.last = {};

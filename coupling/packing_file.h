@@ -6,6 +6,7 @@
 #include <dem/unit_cell.h>
 
 #include <filesystem>
+#include <vector>
 
 namespace tamp::coupling
 {
@@ -37,12 +38,13 @@ enum class History {
   forgotten ///< other grains or laws: contacts begin with the overlaps now
 };
 
-/// Puts a stored packing under the material and the contact model of a run,
-/// brings it to equilibrium at the same box if these are not its own, and lets
-/// the run begin there: without work and last motion. Throws std::runtime_error
-/// if the packing does not come to rest.
+/// Puts a stored packing under the materials, one per species, and the contact
+/// model of a run, brings it to equilibrium at the same box if these are not
+/// its own, and lets the run begin there: without work and last motion. Throws
+/// std::invalid_argument if it has more species than there are materials, and
+/// std::runtime_error if it does not come to rest.
 History adopt_packing(dem::UnitCell &cell,
-                      const dem::GrainMaterial &material,
+                      const std::vector<dem::GrainMaterial> &materials,
                       const dem::ContactModel &contact);
 } // namespace tamp::coupling
 

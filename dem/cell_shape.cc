@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <dem/cell_shape.h>
 #include <dem/packing.h>
+#include <dem/random_start.h>
 #include <dem/value_check.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <sstream>
 
 namespace tamp::dem
@@ -26,16 +26,15 @@ struct Solid {
 
 Solid solid_of(const PackingRequest &request)
 {
-  const std::vector<double> radius =
-      draw_radii(request.sizes, request.grain_count, request.seed);
+  const std::vector<LooseGrain> grains = draw_grains(request);
   double cubes = 0, sum = 0;
-  for (double r : radius) {
+  for (const auto &[r, species] : grains) {
     cubes += r * r * r;
     sum += r;
   }
-  const double mean = sum / double(radius.size());
+  const double mean = sum / double(grains.size());
   return {4 * std::numbers::pi / 3 * cubes,
-          2 * (2 * std::ranges::max(radius) + skin * mean)};
+          2 * (2 * grains.front().radius + skin * mean)};
 }
 
 /// Density at which the box still has the shape of the loose start, as far as

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <dem/compression.h>
 #include <dem/deform.h>
+#include <dem/measures.h>
 #include <dem/unit_cell.h>
 #include <dem/value_check.h>
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <stdexcept>
 #include <string>
 
@@ -13,6 +15,12 @@ namespace tamp::dem
 {
 namespace
 {
+double softest_modulus(const UnitCell &cell)
+{
+  return std::ranges::min(
+      cell.materials | std::views::transform(&GrainMaterial::youngs_modulus));
+}
+
 /// Steps of the quasi-static map. They are long while grains are loose and are
 /// shortened, from the state before, where they would overshoot the goal.
 class Steps
@@ -23,7 +31,8 @@ public:
         const CompressionObserver &observe)
       : cell_(cell), goal_(goal), observe_(observe),
         to_density_(goal.target == CompressionTarget::relative_density),
-        scale_(to_density_ ? light_pressure * cell.material.youngs_modulus
+        pressure_(goal_pressure(goal.compression, love_weber_stress(cell))),
+        scale_(to_density_ ? light_pressure * softest_modulus(cell)
                            : goal.pressure)
   {
   }
@@ -57,7 +66,7 @@ private:
     const double wanted = goal_.pressure;
     const UnitCell before = cell_;
     const CellAnswer answer = stretch(step_);
-    const double now = goal_pressure(goal_.compression, answer);
+    const double now = goal_pressure(goal_.compression, answer.stress);
     if (answer.outcome == Outcome::diverged || now > (1 + accuracy) * wanted)
       return step_back(before, now);
     const double gained = now - pressure_;
@@ -134,7 +143,7 @@ private:
 
   void accept(const CellAnswer &answer)
   {
-    pressure_ = goal_pressure(goal_.compression, answer);
+    pressure_ = goal_pressure(goal_.compression, answer.stress);
     if (observe_)
       observe_(cell_, answer);
   }
@@ -143,8 +152,9 @@ private:
   const CompressionGoal &goal_;
   const CompressionObserver &observe_;
   bool to_density_;
-  double scale_; // of the pressures that matter [Pa]
-  double pressure_ = 0, step_ = longest_step;
+  double pressure_; // now [Pa]
+  double scale_;    // of the pressures that matter [Pa]
+  double step_ = longest_step;
   int rests_ = 0;
 };
 } // namespace
@@ -169,12 +179,18 @@ void compress(UnitCell &cell,
                              std::to_string(cell.relative_density()) +
                              ", than the relative density wanted, " +
                              std::to_string(goal.relative_density));
+  if (const double now =
+          goal_pressure(goal.compression, love_weber_stress(cell));
+      goal.target == CompressionTarget::pressure && now > 1.01 * goal.pressure)
+    throw std::runtime_error("the packing is under " + std::to_string(now) +
+                             " Pa already, more than the " +
+                             std::to_string(goal.pressure) + " Pa wanted");
   Steps(cell, goal, observe).run();
 }
 
-double goal_pressure(Compression compression, const CellAnswer &answer)
+double goal_pressure(Compression compression, const Matrix3 &stress)
 {
-  return compression == Compression::uniaxial ? -answer.stress(2, 2)
-                                              : -answer.stress.trace() / 3;
+  return compression == Compression::uniaxial ? -stress(2, 2)
+                                              : -stress.trace() / 3;
 }
 } // namespace tamp::dem

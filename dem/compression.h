@@ -2,6 +2,8 @@
 #ifndef dem_compression_h
 #define dem_compression_h
 
+#include <dem/tensors.h>
+
 #include <functional>
 
 namespace tamp::dem
@@ -42,9 +44,9 @@ void compress(UnitCell &cell,
               const CompressionGoal &goal,
               const CompressionObserver &observe = {});
 
-/// The pressure that a goal speaks of: mean or axial stress, compression
-/// positive [Pa].
-double goal_pressure(Compression compression, const CellAnswer &answer);
+/// The pressure that a goal speaks of: mean or axial, compression positive, of
+/// a stress with tension positive [Pa].
+double goal_pressure(Compression compression, const Matrix3 &stress);
 } // namespace tamp::dem
 
 #endif

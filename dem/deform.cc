@@ -27,7 +27,12 @@ CellAnswer deform(UnitCell &cell,
                   WarmGuess *guess)
 {
   return driving.method == Method::quasi_static
-             ? deform_quasi_static(cell, stretch, driving.quasi_static, guess)
-             : deform_by_dynamics(cell, stretch, driving.dynamics);
+             ? deform_quasi_static(cell,
+                                   stretch,
+                                   driving.quasi_static,
+                                   driving.arithmetic,
+                                   guess)
+             : deform_by_dynamics(
+                   cell, stretch, driving.dynamics, driving.arithmetic);
 }
 } // namespace tamp::dem

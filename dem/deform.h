@@ -2,6 +2,8 @@
 #ifndef dem_deform_h
 #define dem_deform_h
 
+#include <dem/kernel/instruction_set.h>
+
 #include <Eigen/Core>
 
 #include <cstddef>
@@ -18,6 +20,16 @@ using Stretch = Eigen::Matrix3d;
 enum class Method {
   quasi_static, ///< static equilibrium, rate independent
   dynamics      ///< damped motion at a strain rate
+};
+
+/// In what numbers the sweep computes. Mixed: forces in single precision from
+/// displacements since the pairs were listed, places in double.
+enum class Precision { double_precision, mixed };
+
+/// How the sweep computes.
+struct Arithmetic {
+  Precision precision = Precision::double_precision;
+  InstructionSet instruction_set = best_instruction_set();
 };
 
 /// Settings of the quasi-static map.
@@ -43,6 +55,7 @@ struct Driving {
   Method method = Method::quasi_static;
   QuasiStatic quasi_static;
   Dynamics dynamics;
+  Arithmetic arithmetic;
 
   /// Throws std::invalid_argument naming the first value that is not
   /// possible.

@@ -14,7 +14,8 @@ namespace tamp::dem
 /// Arguments as those of deform().
 CellAnswer deform_by_dynamics(UnitCell &cell,
                               const Stretch &stretch,
-                              const Dynamics &settings);
+                              const Dynamics &settings,
+                              const Arithmetic &arithmetic = {});
 
 /// Rayleigh time step pi R_min / alpha sqrt(rho / G) [s], with
 /// alpha = 0.1631 nu + 0.876605. Source: Sheng et al. (2004), eqs (3)-(6).

@@ -9,6 +9,9 @@ struct GrainMaterial {
   double youngs_modulus = 70e9; ///< E [Pa]
   double poissons_ratio = 0.3;  ///< nu [-]
   double density = 2650;        ///< of the solid [kg/m3]
+  /// p_y, where the pressure in a contact is cut off [Pa]; laws with plasticity
+  /// only.
+  double limiting_pressure = 0.5e9;
 
   /// Throws std::invalid_argument naming the first value that is not
   /// physical.
@@ -18,32 +21,44 @@ struct GrainMaterial {
   {
     return youngs_modulus / (2 * (1 + poissons_ratio));
   }
-  /// E* of two grains of this material in contact [Pa].
-  /// Source: Johnson (1985), ch. 4: 1/E* = 2 (1 - nu^2) / E.
-  double effective_modulus() const
-  {
-    return youngs_modulus / (2 * (1 - poissons_ratio * poissons_ratio));
-  }
-  /// G* of two grains of this material in contact [Pa], such that the
-  /// tangential stiffness is 8 G* a.
-  /// Source: Mindlin (1949); Johnson (1985), ch. 7: 1/G* = 2 (2 - nu) / G.
-  double effective_shear_modulus() const
-  {
-    return shear_modulus() / (2 * (2 - poissons_ratio));
-  }
   bool operator==(const GrainMaterial &) const = default;
 };
 
-enum class NormalLaw { hertz, thornton_ning };
-enum class TangentialLaw { none, mindlin };
+/// What the contact of two materials is made of.
+struct PairMaterial {
+  double effective_modulus;       ///< E* [Pa]
+  double effective_shear_modulus; ///< G*, such that k_t = 8 G* a [Pa]
+  double limiting_pressure;       ///< p_y [Pa]
+};
 
-/// How two grains push and rub.
+/// The properties of a contact between grains of two materials, the same or
+/// not: 1/E* = sum (1 - nu^2) / E, 1/G* = sum (2 - nu) / G. The softer material
+/// yields first: p_y is the smaller of the two.
+/// Source: Johnson (1985), ch. 4 and 7; Mindlin (1949).
+PairMaterial pair_material(const GrainMaterial &first,
+                           const GrainMaterial &second);
+
+enum class NormalLaw {
+  hertz,
+  thornton_ning,
+  jkr,
+  thornton_ning_jkr, ///< Thornton-Ning with adhesion
+  storakers,
+  mdr
+};
+enum class TangentialLaw { none, mindlin, mindlin_deresiewicz };
+enum class RollingLaw { none, epsd };
+
+/// How two grains push, rub and roll.
 struct ContactModel {
   NormalLaw normal_law = NormalLaw::thornton_ning;
   TangentialLaw tangential_law = TangentialLaw::mindlin;
-  double friction_coefficient = 0.3; ///< mu [-]
-  /// p_y, where the contact pressure is cut off [Pa]; Thornton-Ning only.
-  double limiting_pressure = 0.5e9;
+  RollingLaw rolling_law = RollingLaw::none;
+  double friction_coefficient = 0.3;         ///< mu [-]
+  double work_of_adhesion = 0;               ///< Gamma [J/m2]
+  double rolling_friction_coefficient = 0.1; ///< mu_r [-]
+  /// e of an impact, by viscous contact damping; 1 is without [-].
+  double restitution_coefficient = 1;
 
   /// Throws std::invalid_argument naming the first value that is not
   /// physical.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <dem/laws/law_choice.h>
+#include <dem/cell_laws.h>
 #include <dem/measures.h>
 
 #include <algorithm>
@@ -8,31 +8,43 @@ namespace tamp::dem
 {
 namespace
 {
-/// Calls `visit` with each contact that overlaps: its memory, branch [m],
-/// reduced radius [m] and overlap [m].
+/// Calls `visit` with each contact that overlaps or sticks: its memory, its
+/// branch [m], the pair's shape, its overlap [m] and its laws.
 template <class Visitor>
-void for_each_overlap(const UnitCell &cell, Visitor &&visit)
+void for_each_contact(const UnitCell &cell, Visitor &&visit)
 {
-  for (const ContactMemory &memory : cell.contacts) {
-    const auto [i, j] = memory.pair;
-    const double a = cell.radius[i], b = cell.radius[j];
+  const CellLaws laws(cell);
+  std::vector<double> more(laws.more());
+  for (std::size_t k = 0; k < cell.contacts.size(); ++k) {
+    const ContactMemory &contact = cell.contacts[k];
+    const auto [i, j] = contact.pair;
     const Vector3 branch =
         cell.box.nearest_image(cell.place[j] - cell.place[i]);
-    const double overlap = a + b - branch.norm();
-    if (overlap > 0)
-      visit(memory, branch, a * b / (a + b), overlap);
+    const PairShape<double> shape = cell.shape(contact.pair);
+    const double overlap = shape.radius_sum - branch.norm();
+    if (overlap <= 0 && contact.contact_radius <= 0)
+      continue;
+    std::copy_n(
+        cell.more_memory.data() + k * more.size(), more.size(), more.data());
+    visit(contact,
+          branch,
+          shape,
+          overlap,
+          NormalMemory<double>{
+              contact.largest_overlap, contact.contact_radius, more.data()},
+          laws.of(contact.pair));
   }
 }
 
-bool slides(const UnitCell &cell,
-            double normal_force,
+bool slides(const AnyTangentialLaw &law,
+            const NormalAnswer<double> &push,
             const Vector3 &tangential)
 {
   // The law leaves a sliding contact on Coulomb's cap up to round-off.
-  constexpr double round_off = 1e-9;
-  return cell.contact.tangential_law == TangentialLaw::mindlin &&
-         tangential.norm() >=
-             (1 - round_off) * cell.contact.friction_coefficient * normal_force;
+  constexpr double round_off = 1e-6;
+  const double cap =
+      std::visit([&](const auto &l) { return l.cap(push); }, law);
+  return cap > 0 && tangential.norm() >= (1 - round_off) * cap;
 }
 } // namespace
 
@@ -40,25 +52,30 @@ std::vector<ContactForce> contact_forces(const UnitCell &cell)
 {
   std::vector<ContactForce> result;
   result.reserve(cell.contacts.size());
-  with_normal_law(cell.contact, cell.material, [&](const auto &law) {
-    for_each_overlap(
-        cell,
-        [&](const ContactMemory &memory,
-            const Vector3 &branch,
-            double reduced,
-            double overlap) {
-          double largest = memory.largest_overlap;
-          const double force = law(overlap, reduced, largest).force;
-          if (force > 0)
-            result.push_back({memory.pair,
-                              branch,
-                              force,
-                              memory.tangential_force,
-                              overlap,
-                              law.is_plastic(reduced, largest),
-                              slides(cell, force, memory.tangential_force)});
-        });
-  });
+  for_each_contact(
+      cell,
+      [&](const ContactMemory &contact,
+          const Vector3 &branch,
+          const PairShape<double> &shape,
+          double overlap,
+          NormalMemory<double> memory,
+          const PairLaws &laws) {
+        const auto [push, plastic] = std::visit(
+            [&](const auto &law) {
+              const NormalAnswer<double> answer = law(overlap, shape, memory);
+              return std::pair(answer, law.is_plastic(shape, memory));
+            },
+            laws.normal);
+        if (push.contact_radius > 0)
+          result.push_back(
+              {contact.pair,
+               branch,
+               push.force,
+               contact.tangential_force,
+               overlap,
+               plastic,
+               slides(laws.tangential, push, contact.tangential_force)});
+      });
   return result;
 }
 
@@ -73,25 +90,34 @@ Matrix3 stress_of(const std::vector<ContactForce> &forces, double volume)
   return sum / volume;
 }
 
-double elastic_energy(const UnitCell &cell)
+struct ContactEnergy {
+  double elastic = 0, dissipated = 0;
+};
+
+ContactEnergy contact_energy(const UnitCell &cell)
 {
-  double sum = 0;
-  with_normal_law(cell.contact, cell.material, [&](const auto &normal) {
-    with_tangential_law(cell.contact, cell.material, [&](const auto &rub) {
-      for_each_overlap(
-          cell,
-          [&](const ContactMemory &memory,
-              const Vector3 &,
-              double reduced,
-              double overlap) {
-            sum +=
-                normal.energy(overlap, reduced, memory.largest_overlap).elastic;
-            const double k = rub.stiffness(memory.contact_radius);
-            if (k > 0)
-              sum += memory.tangential_force.squaredNorm() / (2 * k);
-          });
-    });
-  });
+  ContactEnergy sum;
+  for_each_contact(
+      cell,
+      [&](const ContactMemory &contact,
+          const Vector3 &,
+          const PairShape<double> &shape,
+          double overlap,
+          NormalMemory<double> memory,
+          const PairLaws &laws) {
+        const NormalEnergy normal = std::visit(
+            [&](const auto &law) { return law.energy(overlap, shape, memory); },
+            laws.normal);
+        sum.elastic += normal.elastic;
+        sum.dissipated += normal.dissipated;
+        const double k = std::visit(
+            [&](const auto &law) {
+              return law.stiffness(contact.contact_radius);
+            },
+            laws.tangential);
+        if (k > 0)
+          sum.elastic += contact.tangential_force.squaredNorm() / (2 * k);
+      });
   return sum;
 }
 
@@ -138,7 +164,11 @@ CellMeasures measure(const UnitCell &cell)
     result.fabric /= double(forces.size());
   count_grains(cell, forces, result);
   result.relative_density = cell.relative_density();
-  result.elastic_energy = elastic_energy(cell);
+  result.elastic_energy = contact_energy(cell).elastic;
   return result;
+}
+double plastic_loss(const UnitCell &cell)
+{
+  return contact_energy(cell).dissipated;
 }
 } // namespace tamp::dem

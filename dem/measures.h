@@ -20,7 +20,7 @@ struct ContactForce {
   bool plastic = false, sliding = false;
 };
 
-/// All contacts that carry a force, in the order of the cell's memory.
+/// All contacts that touch, in the order of the cell's memory.
 std::vector<ContactForce> contact_forces(const UnitCell &cell);
 
 /// Cauchy stress of the contact forces, tension positive, not symmetrised [Pa]:
@@ -34,7 +34,7 @@ struct CellMeasures {
   Matrix3 stress = Matrix3::Zero(); ///< symmetric part, tension positive [Pa]
   double asymmetry = 0;             ///< |skw stress| / |stress| [-]
   Matrix3 fabric = Matrix3::Zero(); ///< mean of n (x) n, trace 1 [-]
-  std::size_t contacts = 0;         ///< C, with a normal force
+  std::size_t contacts = 0;         ///< C, that touch
   std::size_t plastic_contacts = 0, sliding_contacts = 0;
   std::size_t rattlers = 0;       ///< grains with fewer than two contacts
   double coordination_number = 0; ///< Z = 2 C / N
@@ -46,6 +46,10 @@ struct CellMeasures {
 };
 
 CellMeasures measure(const UnitCell &cell);
+
+/// What the normal laws have turned into heat in the contacts that there are
+/// [J].
+double plastic_loss(const UnitCell &cell);
 } // namespace tamp::dem
 
 #endif

@@ -137,20 +137,22 @@ bool still_hold(const Neighbours &neighbours,
          reach + gap;
 }
 
-std::vector<Pair> near_pairs(const Neighbours &neighbours,
-                             const PeriodicBox &box,
-                             std::span<const Vector3> place,
-                             std::span<const double> radius,
-                             double gap)
+void find_near_pairs(const Neighbours &neighbours,
+                     const PeriodicBox &box,
+                     std::span<const Vector3> place,
+                     std::span<const double> radius,
+                     double gap,
+                     std::vector<NearPair> &near)
 {
-  std::vector<Pair> result;
-  result.reserve(neighbours.pairs.size());
+  near.clear();
+  near.reserve(neighbours.pairs.size());
   for (const Pair &pair : neighbours.pairs) {
-    const double limit = radius[pair.first] + radius[pair.second] + gap;
-    if (box.nearest_image(place[pair.second] - place[pair.first])
-            .squaredNorm() < limit * limit)
-      result.push_back(pair);
+    const double sum = radius[pair.first] + radius[pair.second];
+    const Vector3 branch =
+        box.nearest_image(place[pair.second] - place[pair.first]);
+    const double square = branch.squaredNorm();
+    if (square < (sum + gap) * (sum + gap))
+      near.push_back({pair, branch, sum - std::sqrt(square)});
   }
-  return result;
 }
 } // namespace tamp::dem

@@ -37,12 +37,20 @@ bool still_hold(const Neighbours &neighbours,
                 double largest_radius,
                 double gap);
 
-/// The pairs of the list with a gap below `gap` [m] now, sorted.
-std::vector<Pair> near_pairs(const Neighbours &neighbours,
-                             const PeriodicBox &box,
-                             std::span<const Vector3> place,
-                             std::span<const double> radius,
-                             double gap);
+/// A pair and how it lies.
+struct NearPair {
+  Pair pair;
+  Vector3 branch;     ///< from the first grain to the second [m]
+  double overlap = 0; ///< R_i + R_j - |branch| [m]
+};
+
+/// The pairs of the list with a gap below `gap` [m] now, sorted, into `near`.
+void find_near_pairs(const Neighbours &neighbours,
+                     const PeriodicBox &box,
+                     std::span<const Vector3> place,
+                     std::span<const double> radius,
+                     double gap,
+                     std::vector<NearPair> &near);
 } // namespace tamp::dem
 
 #endif

@@ -8,11 +8,28 @@
 
 namespace tamp::dem
 {
+namespace
+{
+constexpr std::size_t most_others = 254; // a species is a byte
+}
+
 void PackingRequest::check() const
 {
   sizes.check();
   material.check();
   contact.check();
+  if (others.size() > most_others)
+    refuse("further kinds of grains", double(others.size()), "at most 254");
+  double shares = 0;
+  for (const GrainPopulation &other : others) {
+    other.sizes.check();
+    other.material.check();
+    if (!(other.number_share > 0 && other.number_share < 1))
+      refuse("number share", other.number_share, "between 0 and 1");
+    shares += other.number_share;
+  }
+  if (shares >= 1)
+    refuse("sum of the number shares of further grains", shares, "below 1");
   if (grain_count < 20)
     refuse("grain count", double(grain_count), "at least 20");
   if (!(initial_relative_density > 0 && initial_relative_density <= 0.38))

@@ -8,14 +8,26 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 namespace tamp::dem
 {
+/// A kind of grains of a mixture.
+struct GrainPopulation {
+  double number_share = 0; ///< of all grains [-]
+  GrainSizes sizes;
+  GrainMaterial material;
+  bool operator==(const GrainPopulation &) const = default;
+};
+
 /// What kind of packing is wanted.
 struct PackingRequest {
   std::size_t grain_count = 1000;
   GrainSizes sizes;
   GrainMaterial material;
+  /// Further kinds of grains in the same cell; the first kind has the rest of
+  /// the number. Species k + 1 of the cell is others[k].
+  std::vector<GrainPopulation> others;
   ContactModel contact;
   std::uint64_t seed = 1;
   double initial_relative_density = 0.35; ///< of the loose random start [-]

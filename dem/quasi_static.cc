@@ -14,17 +14,24 @@ namespace tamp::dem
 {
 namespace
 {
-/// One increment of the map from a cell to its new state.
+/// One increment of the map from a cell to its new state, with sweeps in the
+/// precision of T.
+template <class T>
 class Increment
 {
 public:
-  Increment(UnitCell &cell, const Stretch &stretch, const QuasiStatic &settings)
+  Increment(UnitCell &cell,
+            const Stretch &stretch,
+            const QuasiStatic &settings,
+            const Arithmetic &arithmetic)
       : cell_(cell), settings_(settings),
         log_stretch_(logarithm(stretch)), box_{stretch * cell.box.h},
         inverse_box_(box_.h.inverse()),
-        back_(stretch.inverse()), affine_{box_.h, Matrix3::Identity() - back_},
-        layout_(cell), motion_(6 * cell.size(), 0.0),
-        force_(6 * cell.size(), 0.0), place_(cell.place)
+        back_(stretch.inverse()), affine_{Matrix3::Identity(),
+                                          Matrix3::Identity() - back_},
+        layout_(cell, arithmetic.instruction_set),
+        motion_(6 * cell.size(), 0.0), force_(6 * cell.size(), 0.0),
+        place_(cell.place)
   {
   }
 
@@ -59,7 +66,7 @@ public:
   const std::vector<double> &motion() const { return motion_; }
 
 private:
-  void place_grains();
+  void move_rows();
   void list_pairs();
   bool pairs_hold() const;
   Fire make_fire() const;
@@ -71,52 +78,61 @@ private:
   PeriodicBox box_;
   Matrix3 inverse_box_, back_;
   AffineMotion affine_;
-  SweepLayout layout_;
+  SweepLayout<T> layout_;
   std::vector<double> motion_, force_; // displacement, radius x rotation
   std::vector<double> listed_motion_;  // when the pairs were listed
   std::vector<Vector3> place_;
 };
 
-void Increment::place_grains()
+template <class T>
+void Increment<T>::move_rows()
 {
-  const std::span<GrainRow> rows = layout_.rows();
+  const std::span<GrainRow<T>> rows = layout_.rows();
   for (std::size_t i = 0; i < rows.size(); ++i) {
     const Vector3 moved(&motion_[6 * i]);
-    place_[i] = cell_.place[i] + inverse_box_ * moved;
     const Vector3 relative = back_ * moved;
     for (int k = 0; k < 3; ++k) {
-      rows[i].place[k] = place_[i][k];
-      rows[i].motion[k] = relative[k];
-      rows[i].motion[4 + k] = motion_[6 * i + 3 + k];
+      rows[i].moved[k] = T(moved[k] - listed_motion_[6 * i + k]);
+      rows[i].motion[k] = T(relative[k]);
+      const double rolled = motion_[6 * i + 3 + k];
+      rows[i].rotation[k] = T(rolled / cell_.radius[i]);
+      rows[i].motion[4 + k] = T(rolled);
     }
   }
 }
 
-void Increment::list_pairs()
+template <class T>
+void Increment<T>::list_pairs()
 {
-  layout_.list_pairs(cell_.neighbours, box_, place_, cell_.contacts);
+  for (std::size_t i = 0; i < place_.size(); ++i)
+    place_[i] = cell_.place[i] + inverse_box_ * Vector3(&motion_[6 * i]);
+  layout_.list_pairs(cell_, box_, place_);
   listed_motion_ = motion_;
+  move_rows();
 }
 
-bool Increment::pairs_hold() const
+template <class T>
+bool Increment<T>::pairs_hold() const
 {
   double drift2 = 0;
-  for (std::size_t i = 0; i < place_.size(); ++i) {
-    const Vector3 now(&motion_[6 * i]), then(&listed_motion_[6 * i]);
-    drift2 = std::max(drift2, (now - then).squaredNorm());
-  }
+  for (const GrainRow<T> &row : layout_.rows())
+    drift2 = std::max(drift2,
+                      double(row.moved[0] * row.moved[0] +
+                             row.moved[1] * row.moved[1] +
+                             row.moved[2] * row.moved[2]));
   return 4 * drift2 < layout_.gap() * layout_.gap();
 }
 
-Fire Increment::make_fire() const
+template <class T>
+Fire Increment<T>::make_fire() const
 {
   // A time step of 1 suits a mass of 0.6 times the stiffness around a grain,
   // and of 1.2 times the tangential one for radius x rotation. The floor keeps
   // grains with few contacts from flying.
-  const SweepLayout::Stiffness stiffness = layout_.stiffness(box_);
+  const auto stiffness = layout_.stiffness();
   double floor = 0.6 * stiffness.largest;
   if (floor <= 0) // no contact yet: that of a small overlap
-    floor = cell_.material.effective_modulus() * 0.01 * cell_.mean_radius();
+    floor = cell_.materials[0].youngs_modulus * 0.01 * cell_.mean_radius();
   std::vector<double> mass(motion_.size());
   for (std::size_t i = 0; i < place_.size(); ++i) {
     std::fill_n(&mass[6 * i], 3, std::max(floor, 0.6 * stiffness.both[i]));
@@ -126,14 +142,15 @@ Fire Increment::make_fire() const
   return Fire(std::move(mass));
 }
 
-double Increment::sweep(CellAnswer &answer)
+template <class T>
+double Increment<T>::sweep(CellAnswer &answer)
 {
-  const SweepTotals totals = layout_.sweep(affine_, Memory::frozen);
+  const SweepTotals totals = layout_.sweep(affine_, {Memory::frozen});
   ++answer.evaluations;
   double force = 0, torque = 0;
-  const std::span<const GrainRow> rows = layout_.rows();
+  const std::span<const GrainRow<T>> rows = layout_.rows();
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    const double *f = rows[i].force;
+    const T *f = rows[i].force;
     std::copy_n(f, 3, &force_[6 * i]);
     std::copy_n(f + 4, 3, &force_[6 * i + 3]);
     force += std::sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
@@ -144,16 +161,15 @@ double Increment::sweep(CellAnswer &answer)
       totals.contacts > 0 ? totals.normal_force / double(totals.contacts) : 0.0,
       settings_.force_floor);
   answer.unbalance = contact > 0 ? std::max(force, torque) / n / contact : 0.0;
-  // Beyond an overlap of a whole radius a contact law means nothing.
-  if (!std::isfinite(answer.unbalance) || totals.largest_overlap > 2)
+  if (!std::isfinite(answer.unbalance) || totals.too_deep)
     answer.outcome = Outcome::diverged;
   return answer.unbalance;
 }
 
-CellAnswer Increment::relax()
+template <class T>
+CellAnswer Increment<T>::relax()
 {
   CellAnswer answer;
-  place_grains();
   list_pairs();
   Fire fire = make_fire();
   while (true) {
@@ -166,38 +182,43 @@ CellAnswer Increment::relax()
       break;
     }
     fire.move(motion_, force_);
-    place_grains();
+    move_rows();
     if (!pairs_hold())
       list_pairs();
   }
   return answer;
 }
 
-void Increment::adopt(CellAnswer &answer)
+template <class T>
+void Increment<T>::adopt(CellAnswer &answer)
 {
   const Matrix3 old_stress = love_weber_stress(cell_);
+  const double old_loss = plastic_loss(cell_);
   const double old_volume = cell_.box.volume();
-  const SweepTotals totals = layout_.sweep(affine_, Memory::written);
+  const SweepTotals totals = layout_.sweep(affine_, {Memory::written});
   cell_.box = box_;
-  cell_.place = place_;
-  cell_.contacts = layout_.contacts().memories();
+  for (std::size_t i = 0; i < place_.size(); ++i)
+    cell_.place[i] += inverse_box_ * Vector3(&motion_[6 * i]);
+  layout_.read_memories(cell_);
   cell_.last = {log_stretch_, motion_};
   answer.stress = love_weber_stress(cell_);
   answer.hill_mandel = hill_mandel_residual(cell_, back_, motion_);
   cell_.energy.work +=
       0.25 * (old_volume + cell_.box.volume()) *
       ((old_stress + answer.stress).array() * log_stretch_.array()).sum();
-  cell_.energy.friction_dissipation += totals.slid_work;
-  cell_.energy.plastic_dissipation += totals.yielded_work;
+  cell_.energy.friction_dissipation += totals.lost_work;
+  cell_.energy.plastic_dissipation += plastic_loss(cell_) - old_loss;
 }
 
 /// One increment with or without a guess.
-CellAnswer step(UnitCell &cell,
-                const Stretch &stretch,
-                const QuasiStatic &settings,
-                WarmGuess *guess)
+template <class T>
+CellAnswer step_in(UnitCell &cell,
+                   const Stretch &stretch,
+                   const QuasiStatic &settings,
+                   const Arithmetic &arithmetic,
+                   WarmGuess *guess)
 {
-  Increment increment(cell, stretch, settings);
+  Increment<T> increment(cell, stretch, settings, arithmetic);
   if (guess && guess->predictor_scale < 0)
     guess->predictor_scale = increment.predictor_scale();
   if (guess && !guess->empty())
@@ -216,11 +237,23 @@ CellAnswer step(UnitCell &cell,
     increment.adopt(answer);
   return answer;
 }
+
+CellAnswer step(UnitCell &cell,
+                const Stretch &stretch,
+                const QuasiStatic &settings,
+                const Arithmetic &arithmetic,
+                WarmGuess *guess)
+{
+  return arithmetic.precision == Precision::mixed
+             ? step_in<float>(cell, stretch, settings, arithmetic, guess)
+             : step_in<double>(cell, stretch, settings, arithmetic, guess);
+}
 } // namespace
 
 CellAnswer deform_quasi_static(UnitCell &cell,
                                const Stretch &stretch,
                                const QuasiStatic &settings,
+                               const Arithmetic &arithmetic,
                                WarmGuess *guess)
 {
   const Matrix3 log_stretch = logarithm(stretch);
@@ -228,7 +261,7 @@ CellAnswer deform_quasi_static(UnitCell &cell,
   const auto parts =
       std::max(1.0, std::ceil(size / settings.maximum_strain_increment - 1e-9));
   if (parts == 1)
-    return step(cell, stretch, settings, guess);
+    return step(cell, stretch, settings, arithmetic, guess);
 
   const Matrix3 h = stretch * cell.box.h;
   const Stretch part = exponential(log_stretch / parts);
@@ -236,7 +269,7 @@ CellAnswer deform_quasi_static(UnitCell &cell,
   std::size_t evaluations = 0;
   bool settled = true;
   for (int k = 0; k < int(parts); ++k) {
-    answer = step(cell, part, settings, nullptr);
+    answer = step(cell, part, settings, arithmetic, nullptr);
     evaluations += answer.evaluations;
     settled = settled && answer.outcome == Outcome::settled;
     if (answer.outcome == Outcome::diverged)

@@ -15,6 +15,7 @@ namespace tamp::dem
 CellAnswer deform_quasi_static(UnitCell &cell,
                                const Stretch &stretch,
                                const QuasiStatic &settings,
+                               const Arithmetic &arithmetic,
                                WarmGuess *guess);
 } // namespace tamp::dem
 

@@ -30,7 +30,7 @@ CellAnswer servo_to_pressure(UnitCell &cell,
 {
   Positive{}(goal.pressure, "pressure of the servo");
   const double time = steps_between_looks * settings.time_step_fraction *
-                      rayleigh_time_step(cell.material,
+                      rayleigh_time_step(cell.materials[0],
                                          cell.smallest_radius(),
                                          settings.density_scaling);
   CellAnswer answer;

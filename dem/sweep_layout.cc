@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <dem/laws/law_choice.h>
 #include <dem/sweep_layout.h>
 
 #include <algorithm>
@@ -13,66 +12,87 @@ namespace
 constexpr double near_gap = 0.06, outer_skin = 0.3;
 } // namespace
 
-SweepLayout::SweepLayout(const UnitCell &cell)
-    : model_(cell.contact), material_(cell.material), radius_(cell.radius),
+template <class T>
+SweepLayout<T>::SweepLayout(const UnitCell &cell, InstructionSet set)
+    : set_(set), laws_(cell), radius_(cell.radius),
+      largest_radius_(cell.largest_radius()),
       gap_(near_gap * cell.mean_radius()),
-      skin_(outer_skin * cell.mean_radius()), rows_(cell.size()),
-      frozen_(choose_sweep(cell.contact, Memory::frozen)),
-      written_(choose_sweep(cell.contact, Memory::written))
+      skin_(outer_skin * cell.mean_radius()), rows_(cell.size())
 {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    rows_[i] = GrainRow{};
-    std::copy_n(cell.place[i].data(), 3, rows_[i].place);
-    rows_[i].inverse_radius = 1 / radius_[i];
+    rows_[i] = {};
+    rows_[i].radius = T(radius_[i]);
+    rows_[i].inverse_mass = T(1 / cell.mass(i));
   }
 }
 
-void SweepLayout::list_pairs(Neighbours &neighbours,
-                             const PeriodicBox &box,
-                             std::span<const Vector3> place,
-                             std::span<const ContactMemory> memories)
+template <class T>
+void SweepLayout<T>::list_pairs(UnitCell &cell,
+                                const PeriodicBox &box,
+                                std::span<const Vector3> place)
 {
-  if (!still_hold(
-          neighbours, box, place, *std::ranges::max_element(radius_), gap_))
-    neighbours = find_neighbours(box, place, radius_, skin_);
-  const std::vector<Pair> pairs =
-      near_pairs(neighbours, box, place, radius_, gap_);
-  contacts_.lay_out(pairs, memories, radius_);
+  if (!still_hold(cell.neighbours, box, place, largest_radius_, gap_))
+    cell.neighbours = find_neighbours(box, place, radius_, skin_);
+  find_near_pairs(cell.neighbours, box, place, radius_, gap_, near_);
+  contacts_.lay_out(laws_, near_, radius_, cell.contacts, cell.more_memory);
+  for (GrainRow<T> &row : rows_)
+    std::ranges::fill(row.moved, T(0));
 }
 
-SweepTotals SweepLayout::sweep(const AffineMotion &affine, Memory memory)
+template <class T>
+void SweepLayout<T>::read_memories(UnitCell &cell) const
 {
-  const Sweep run = memory == Memory::frozen ? frozen_ : written_;
-  return run(model_, material_, affine, rows_, contacts_.blocks());
+  contacts_.read_memories(cell.contacts, cell.more_memory);
 }
 
-SweepLayout::Stiffness SweepLayout::stiffness(const PeriodicBox &box) const
+template <class T>
+typename SweepLayout<T>::Stiffness SweepLayout<T>::stiffness() const
 {
   Stiffness sum{std::vector<double>(rows_.size(), 0.0),
                 std::vector<double>(rows_.size(), 0.0)};
-  const double modulus = material_.effective_modulus();
-  with_normal_law(model_, material_, [&](const auto &normal) {
-    with_tangential_law(model_, material_, [&](const auto &tangential) {
-      for (const ContactBlock &block : contacts_.blocks())
-        for (std::size_t lane = 0; lane < ContactBlock::lanes; ++lane) {
-          const std::size_t i = block.first[lane], j = block.second[lane];
-          const Vector3 a(rows_[i].place), b(rows_[j].place);
-          const double overlap =
-              block.radius_sum[lane] - box.nearest_image(b - a).norm();
-          if (block.radius_sum[lane] <= 0 || overlap <= 0)
-            continue;
-          const double kn = normal.steepest_slope(
-              block.reduced_radius[lane],
-              std::max(overlap, block.largest_overlap[lane]));
-          const double kt = tangential.stiffness(kn / (2 * modulus));
-          sum.largest = std::max(sum.largest, kn + kt);
-          for (std::size_t grain : {i, j}) {
-            sum.both[grain] += kn + kt;
-            sum.tangential[grain] += kt;
-          }
-        }
-    });
-  });
+  const auto add = [&](const auto &normal,
+                       const auto &tangential,
+                       double modulus,
+                       const ContactBlock<T> &block,
+                       std::size_t lane) {
+    const std::size_t i = block.first[lane], j = block.second[lane];
+    const double overlap = block.overlap[lane];
+    if (block.radius_sum[lane] <= 0 ||
+        (overlap <= 0 && block.contact_radius[lane] <= 0))
+      return;
+    const PairShape<double> shape = {block.radius_sum[lane],
+                                     block.reduced_radius[lane],
+                                     double(rows_[j].radius - rows_[i].radius),
+                                     0};
+    const NormalMemory<double> memory = {
+        std::max(overlap, double(block.largest_overlap[lane])),
+        block.contact_radius[lane]};
+    const double kn = normal.steepest_slope(shape, memory);
+    const double kt = tangential.stiffness(kn / (2 * modulus));
+    sum.largest = std::max(sum.largest, kn + kt);
+    for (std::size_t grain : {i, j}) {
+      sum.both[grain] += kn + kt;
+      sum.tangential[grain] += kt;
+    }
+  };
+  for (const auto &group : contacts_.groups()) {
+    const PairLaws &laws = laws_.of_kind(group.kind);
+    std::visit(
+        [&](const auto &normal, const auto &tangential) {
+          for (std::size_t b = 0; b < group.blocks; ++b)
+            for (std::size_t l = 0; l < ContactBlock<T>::lanes; ++l)
+              add(normal,
+                  tangential,
+                  laws.effective_modulus,
+                  contacts_.blocks()[group.first_block + b],
+                  l);
+        },
+        laws.normal,
+        laws.tangential);
+  }
   return sum;
 }
+
+template class SweepLayout<double>;
+template class SweepLayout<float>;
 } // namespace tamp::dem

@@ -2,7 +2,7 @@
 #ifndef dem_sweep_layout_h
 #define dem_sweep_layout_h
 
-#include <dem/contacts.h>
+#include <dem/contact_blocks.h>
 #include <dem/grains.h>
 #include <dem/kernel/sweep.h>
 #include <dem/unit_cell.h>
@@ -12,48 +12,56 @@
 
 namespace tamp::dem
 {
-/// A unit cell laid out for sweeping: grains as rows, near pairs as blocks.
-/// Lives as long as one increment; what must survive goes back into the cell.
+/// A unit cell laid out for sweeping in the precision of T, double or float:
+/// grains as rows, near pairs as blocks. Lives as long as one increment; what
+/// must survive goes back into the cell.
+template <class T>
 class SweepLayout
 {
 public:
-  /// Lays out the cell with its memory. Rows are at the cell's places and at
-  /// rest; no pairs yet.
-  explicit SweepLayout(const UnitCell &cell);
+  /// Rows are at rest; no pairs yet.
+  SweepLayout(const UnitCell &cell, InstructionSet set);
 
-  /// Lists the near pairs at `place` in `box`, renewing the outer list in
-  /// `neighbours` if it no longer holds, and gives them the memories.
-  void list_pairs(Neighbours &neighbours,
+  /// Lists the near pairs at `place` in `box`, renewing the outer list of the
+  /// cell if it no longer holds, and gives them the memories of the cell. From
+  /// here on rows count what grains have moved.
+  void list_pairs(UnitCell &cell,
                   const PeriodicBox &box,
-                  std::span<const Vector3> place,
-                  std::span<const ContactMemory> memories);
+                  std::span<const Vector3> place);
+
+  /// Writes the memory of the contacts into the cell.
+  void read_memories(UnitCell &cell) const;
 
   /// How far a pair outside the blocks may approach before list_pairs() is due
   /// [m].
   double gap() const { return gap_; }
 
-  SweepTotals sweep(const AffineMotion &affine, Memory memory);
+  SweepTotals sweep(const AffineMotion &affine, SweepRequest request)
+  {
+    return dem::sweep(set_, laws_, affine, request, rows_, contacts_);
+  }
 
-  std::span<GrainRow> rows() { return rows_; }
-  std::span<const GrainRow> rows() const { return rows_; }
-  const ContactBlocks &contacts() const { return contacts_; }
+  std::span<GrainRow<T>> rows() { return rows_; }
+  std::span<const GrainRow<T>> rows() const { return rows_; }
+  const ContactBlocks<T> &contacts() const { return contacts_; }
 
   /// For every grain the sum of k_n + k_t of its touching contacts and the sum
-  /// of k_t alone [N/m]; k_n is that of an unloading from the largest overlap.
+  /// of k_t alone [N/m], as the pairs were listed; k_n is that of an unloading
+  /// from the largest overlap.
   struct Stiffness {
     std::vector<double> both, tangential;
     double largest = 0; ///< of one contact [N/m]
   };
-  Stiffness stiffness(const PeriodicBox &box) const;
+  Stiffness stiffness() const;
 
 private:
-  ContactModel model_;
-  GrainMaterial material_;
+  InstructionSet set_;
+  CellLaws laws_;
   std::vector<double> radius_;
-  double gap_, skin_;
-  GrainRows rows_;
-  ContactBlocks contacts_;
-  Sweep frozen_, written_;
+  double largest_radius_, gap_, skin_;
+  GrainRows<T> rows_;
+  std::vector<NearPair> near_;
+  ContactBlocks<T> contacts_;
 };
 } // namespace tamp::dem
 

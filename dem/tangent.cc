@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <dem/laws/law_choice.h>
+#include <dem/cell_laws.h>
 #include <dem/measures.h>
 #include <dem/tangent.h>
 
@@ -38,20 +38,19 @@ struct PairStiffness {
 /// Stiffness of a contact for further loading.
 PairStiffness pair_stiffness(const UnitCell &cell,
                              const ContactForce &contact,
-                             double largest_overlap)
+                             const PairLaws &laws,
+                             NormalMemory<double> memory)
 {
-  const double a = cell.radius[contact.pair.first],
-               b = cell.radius[contact.pair.second];
-  const double reduced = a * b / (a + b);
+  const PairShape<double> shape = cell.shape(contact.pair);
   PairStiffness k{};
-  with_normal_law(cell.contact, cell.material, [&](const auto &law) {
-    k.normal = law.loading_slope(contact.overlap, reduced, largest_overlap);
-    const double radius =
-        law(contact.overlap, reduced, largest_overlap).contact_radius;
-    with_tangential_law(cell.contact, cell.material, [&](const auto &rub) {
-      k.tangential = rub.stiffness(radius);
-    });
-  });
+  const double radius = std::visit(
+      [&](const auto &law) {
+        k.normal = law.loading_slope(contact.overlap, shape, memory);
+        return law(contact.overlap, shape, memory).contact_radius;
+      },
+      laws.normal);
+  k.tangential = std::visit(
+      [&](const auto &law) { return law.stiffness(radius); }, laws.tangential);
   if (contact.sliding)
     k.tangential *= sliding_share;
   return k;
@@ -63,12 +62,21 @@ Tangent contact_sum(const UnitCell &cell, double pull)
 {
   Tangent result = Tangent::Zero();
   const double volume = cell.box.volume();
+  const CellLaws laws(cell);
+  std::vector<double> more(laws.more());
   auto memory = cell.contacts.begin();
   for (const ContactForce &contact : contact_forces(cell)) {
     while (memory->pair < contact.pair)
       ++memory;
-    const PairStiffness k =
-        pair_stiffness(cell, contact, memory->largest_overlap);
+    const auto k_memory = memory - cell.contacts.begin();
+    std::copy_n(cell.more_memory.data() + std::size_t(k_memory) * more.size(),
+                more.size(),
+                more.data());
+    const PairStiffness k = pair_stiffness(
+        cell,
+        contact,
+        laws.of(contact.pair),
+        {memory->largest_overlap, memory->contact_radius, more.data()});
     const double d = contact.branch.norm();
     const Vector3 n = contact.branch / d;
     const double turning = pull * contact.normal_force / d;

@@ -22,6 +22,21 @@ double UnitCell::mean_radius() const
   return std::accumulate(radius.begin(), radius.end(), 0.0) / double(size());
 }
 
+double UnitCell::mass(std::size_t grain) const
+{
+  const double r = radius[grain];
+  return 4.0 / 3 * std::numbers::pi * r * r * r * material_of(grain).density;
+}
+
+PairShape<double> UnitCell::shape(Pair pair) const
+{
+  const double a = radius[pair.first], b = radius[pair.second];
+  return {a + b,
+          a * b / (a + b),
+          b - a,
+          1 / mass(pair.first) + 1 / mass(pair.second)};
+}
+
 double UnitCell::solid_volume() const
 {
   double sum = 0;

@@ -4,11 +4,13 @@
 
 #include <dem/contacts.h>
 #include <dem/grain_material.h>
+#include <dem/laws/pair_law.h>
 #include <dem/neighbours.h>
 #include <dem/periodic_box.h>
 #include <dem/tensors.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -36,7 +38,9 @@ struct EnergyAccount {
 class UnitCell
 {
 public:
-  GrainMaterial material;
+  std::vector<GrainMaterial> materials = std::vector<GrainMaterial>(1);
+  std::vector<std::uint8_t> species; ///< material of each grain, as an index;
+                                     ///< empty: all of the first
   ContactModel contact;
   PeriodicBox box;
   double reference_volume = 0;   ///< V_0 of the box when the cell was made [m3]
@@ -45,11 +49,20 @@ public:
   std::vector<Vector3> velocity; ///< fluctuation [m/s]; empty unless dynamic
   std::vector<Vector3> spin;     ///< [rad/s]; empty unless dynamic
   std::vector<ContactMemory> contacts; ///< of touching pairs, sorted
+  /// Numbers of the contact laws' own, as many per contact as they want, in the
+  /// order of the contacts.
+  std::vector<double> more_memory;
   Neighbours neighbours;
   LastMotion last;
   EnergyAccount energy;
 
   std::size_t size() const { return radius.size(); }
+  const GrainMaterial &material_of(std::size_t grain) const
+  {
+    return materials[species.empty() ? 0 : species[grain]];
+  }
+  double mass(std::size_t grain) const; ///< [kg]
+  PairShape<double> shape(Pair pair) const;
   double largest_radius() const;
   double smallest_radius() const;
   double mean_radius() const;

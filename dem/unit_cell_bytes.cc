@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <dem/cell_laws.h>
 #include <dem/unit_cell_bytes.h>
 
 #include <cstdint>
@@ -10,7 +11,7 @@ namespace tamp::dem
 {
 namespace
 {
-constexpr std::uint64_t mark = 0x314c4c4543504d54; // "TMPCELL1"
+constexpr std::uint64_t mark = 0x324c4c4543504d54; // "TMPCELL2"
 
 struct Writer {
   std::vector<char> &bytes;
@@ -67,7 +68,8 @@ private:
 template <class Cell, class Visitor>
 void visit_parts(Cell &cell, Visitor &visit)
 {
-  visit(cell.material);
+  visit(cell.materials);
+  visit(cell.species);
   visit(cell.contact);
   visit(cell.box.h);
   visit(cell.reference_volume);
@@ -76,6 +78,7 @@ void visit_parts(Cell &cell, Visitor &visit)
   visit(cell.velocity);
   visit(cell.spin);
   visit(cell.contacts);
+  visit(cell.more_memory);
   visit(cell.neighbours.pairs);
   visit(cell.neighbours.skin);
   visit(cell.neighbours.box);
@@ -101,8 +104,14 @@ bool consistent(const UnitCell &cell)
   const auto none_or = [](std::size_t size, std::size_t wanted) {
     return size == 0 || size == wanted;
   };
-  return n > 0 && cell.place.size() == n && none_or(cell.velocity.size(), n) &&
-         none_or(cell.spin.size(), n) &&
+  for (std::uint8_t species : cell.species)
+    if (species >= cell.materials.size())
+      return false;
+  if (cell.materials.empty() ||
+      cell.more_memory.size() != cell.contacts.size() * CellLaws(cell).more())
+    return false;
+  return n > 0 && cell.place.size() == n && none_or(cell.species.size(), n) &&
+         none_or(cell.velocity.size(), n) && none_or(cell.spin.size(), n) &&
          none_or(cell.neighbours.place.size(), n) &&
          none_or(cell.last.motion.size(), 6 * n);
 }

@@ -1,166 +1,126 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <dem/kernel/kernel.h>
 #include <dem/kernel/sweep.h>
-#include <dem/laws/law_choice.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace tamp::dem
 {
 namespace
 {
-/// The geometry of a pair.
-struct PairGeometry {
-  Vector3 branch;  ///< l, from first to second [m]
-  double distance; ///< |l| [m]
+const void *address_of(const auto &law)
+{
+  return std::visit([](const auto &l) { return static_cast<const void *>(&l); },
+                    law);
+}
+
+template <class T>
+const KernelLoops<T> &loops_of(InstructionSet set)
+{
+  if constexpr (sizeof(T) == sizeof(double))
+    return kernel_of(set).in_double;
+  else
+    return kernel_of(set).in_float;
+}
+
+/// Where memory goes that nobody wants.
+template <class T>
+struct Scratch {
+  static constexpr std::size_t most_more = 32;
+  ContactBlock<T> blocks[Chunk<T>::blocks];
+  alignas(64) T more[most_more * Chunk<T>::size];
 };
 
-/// The nearest whole number, without the call that std::nearbyint is on old
-/// instruction sets: adding 3/2 2^52 leaves no room for a fraction.
-inline double nearest_whole(double x)
+template <class T>
+AffineLanes<T> lanes_of(const AffineMotion &affine)
 {
-  constexpr double shift = 0x1.8p52;
-  return (x + shift) - shift;
-}
-
-inline PairGeometry
-geometry(const Matrix3 &h, const GrainRow &a, const GrainRow &b)
-{
-  Vector3 s(b.place[0] - a.place[0],
-            b.place[1] - a.place[1],
-            b.place[2] - a.place[2]);
-  for (int k = 0; k < 3; ++k)
-    s[k] -= nearest_whole(s[k]);
-  const Vector3 branch = h * s;
-  return {branch, branch.norm()};
-}
-
-inline Vector3 head(const double *row)
-{
-  return {row[0], row[1], row[2]};
-}
-
-/// How the surfaces moved: relative displacement of the centres less the
-/// rotation of both grains over their lever arms r_i = R_i d / (R_i + R_j).
-inline void surface_motion(const AffineMotion &affine,
-                           const PairGeometry &pair,
-                           const GrainRow &a,
-                           const GrainRow &b,
-                           double arm,
-                           ContactMotion &motion)
-{
-  const Vector3 rolled_a = head(a.motion + 4), rolled_b = head(b.motion + 4);
-  motion.slip = head(b.motion) - head(a.motion) +
-                affine.gradient * pair.branch -
-                arm * (rolled_a + rolled_b).cross(motion.normal);
-  motion.spin =
-      0.5 * (rolled_a * a.inverse_radius + rolled_b * b.inverse_radius)
-                .dot(motion.normal);
-}
-
-inline void add(double *row, const Vector3 &value)
-{
-  for (int k = 0; k < 3; ++k)
-    row[k] += value[k];
-}
-
-inline void forget(ContactBlock &block, std::size_t lane)
-{
-  block.force_x[lane] = block.force_y[lane] = block.force_z[lane] = 0;
-  block.largest_overlap[lane] = block.contact_radius[lane] = 0;
-}
-
-template <class Normal, class Tangential, Memory memory>
-void visit_pair(const Normal &normal_law,
-                const Tangential &tangential_law,
-                const AffineMotion &affine,
-                std::span<GrainRow> rows,
-                ContactBlock &block,
-                std::size_t lane,
-                SweepTotals &totals)
-{
-  GrainRow &a = rows[block.first[lane]], &b = rows[block.second[lane]];
-  const PairGeometry pair = geometry(affine.h, a, b);
-  const double overlap = block.radius_sum[lane] - pair.distance;
-  if (overlap <= 0) {
-    if constexpr (memory == Memory::written)
-      forget(block, lane);
-    return;
+  AffineLanes<T> result;
+  for (int k = 0; k < 9; ++k) {
+    result.stretch[k] =
+        T(affine.stretch(k / 3, k % 3) - (k / 3 == k % 3 ? 1 : 0));
+    result.gradient[k] = T(affine.gradient(k / 3, k % 3));
   }
-  const double reduced = block.reduced_radius[lane];
-  double largest = block.largest_overlap[lane];
-  const NormalAnswer<double> push = normal_law(overlap, reduced, largest);
-
-  const double arm = pair.distance / block.radius_sum[lane];
-  ContactMotion motion;
-  motion.normal = pair.branch / pair.distance;
-  motion.radius = push.contact_radius;
-  motion.old_radius = block.contact_radius[lane];
-  motion.force = push.force;
-  surface_motion(affine, pair, a, b, arm, motion);
-  const Vector3 old(
-      block.force_x[lane], block.force_y[lane], block.force_z[lane]);
-  const Mindlin::Answer rub = tangential_law(old, motion);
-
-  const Vector3 on_first = rub.force - push.force * motion.normal;
-  const Vector3 torque = arm * motion.normal.cross(rub.force);
-  add(a.force, on_first);
-  add(b.force, -on_first);
-  add(a.force + 4, torque);
-  add(b.force + 4, torque);
-
-  totals.normal_force += push.force;
-  totals.contacts += push.force > 0;
-  totals.largest_overlap = std::max(totals.largest_overlap, overlap / reduced);
-  if constexpr (memory == Memory::written) {
-    totals.slid_work += rub.slid_work;
-    totals.yielded_work +=
-        normal_law.energy(0, reduced, largest).dissipated -
-        normal_law.energy(0, reduced, block.largest_overlap[lane]).dissipated;
-    block.force_x[lane] = rub.force[0];
-    block.force_y[lane] = rub.force[1];
-    block.force_z[lane] = rub.force[2];
-    block.largest_overlap[lane] = largest;
-    block.contact_radius[lane] = push.contact_radius;
-  }
+  return result;
 }
 
-template <class Normal, class Tangential, Memory memory>
-SweepTotals sweep(const ContactModel &model,
-                  const GrainMaterial &material,
-                  const AffineMotion &affine,
-                  std::span<GrainRow> rows,
-                  std::span<ContactBlock> blocks)
-{
-  const auto normal_law = make_law<Normal>(model, material);
-  const auto tangential_law = make_law<Tangential>(model, material);
-  for (GrainRow &row : rows)
-    std::fill_n(row.force, 8, 0.0);
-  SweepTotals totals;
-  for (ContactBlock &block : blocks)
-    for (std::size_t lane = 0; lane < ContactBlock::lanes; ++lane)
-      if (block.radius_sum[lane] > 0)
-        visit_pair<Normal, Tangential, memory>(
-            normal_law, tangential_law, affine, rows, block, lane, totals);
-  return totals;
-}
+/// Where the laws of a kind and their numbers are.
+struct KindOfLaws {
+  const void *normal, *tangential;
+  std::size_t normal_index, tangential_index;
+  std::size_t normal_rows; // of the laws' own numbers in a block
+};
 
-template <class Normal>
-Sweep choose(TangentialLaw tangential, Memory memory)
+KindOfLaws kind_of_laws(const PairLaws &laws)
 {
-  if (tangential == TangentialLaw::mindlin)
-    return memory == Memory::frozen ? sweep<Normal, Mindlin, Memory::frozen>
-                                    : sweep<Normal, Mindlin, Memory::written>;
-  return memory == Memory::frozen
-             ? sweep<Normal, NoTangentialForce, Memory::frozen>
-             : sweep<Normal, NoTangentialForce, Memory::written>;
+  return {address_of(laws.normal),
+          address_of(laws.tangential),
+          laws.normal.index(),
+          laws.tangential.index(),
+          laws.normal_more()};
 }
 } // namespace
 
-Sweep choose_sweep(const ContactModel &model, Memory memory)
+template <class T>
+SweepTotals sweep(InstructionSet set,
+                  const CellLaws &laws,
+                  const AffineMotion &affine,
+                  SweepRequest request,
+                  GrainRows<T> &rows,
+                  ContactBlocks<T> &contacts)
 {
-  return model.normal_law == NormalLaw::hertz
-             ? choose<Hertz>(model.tangential_law, memory)
-             : choose<ThorntonNing>(model.tangential_law, memory);
+  const KernelLoops<T> &loops = loops_of<T>(set);
+  const AffineLanes<T> lanes = lanes_of<T>(affine);
+  const std::size_t more_rows = contacts.more_per_contact();
+  const bool frozen = request.memory == Memory::frozen;
+  Scratch<T> scratch;
+  Chunk<T> chunk;
+  double sums[9] = {};
+  SweepTotals totals;
+  for (GrainRow<T> &row : rows)
+    std::fill_n(row.force, 8, T(0));
+  for (const auto &group : contacts.groups()) {
+    const KindOfLaws kind = kind_of_laws(laws.of_kind(group.kind));
+    for (std::size_t b = 0; b < group.blocks; b += Chunk<T>::blocks) {
+      const std::size_t at = group.first_block + b;
+      ContactBlock<T> *const memory = contacts.blocks().data() + at;
+      T *const more =
+          contacts.more().data() + at * more_rows * ContactBlock<T>::lanes;
+      const ChunkOfBlocks<T> here = {
+          std::min(Chunk<T>::blocks, group.blocks - b),
+          memory,
+          frozen ? scratch.blocks : memory,
+          more,
+          frozen ? scratch.more : more,
+          more_rows};
+      KernelTotals<T> part;
+      loops.gather(rows.data(), lanes, here, chunk);
+      loops.normal[kind.normal_index](kind.normal, here, chunk, part);
+      loops.tangential[kind.tangential_index](
+          kind.tangential, here.past(kind.normal_rows), chunk, part);
+      loops.scatter(here, chunk, rows.data());
+      if (request.moment)
+        loops.stress(here, chunk, sums);
+      totals.normal_force += double(part.normal_force);
+      totals.contacts += std::size_t(part.contacts);
+      totals.too_deep = totals.too_deep || part.beyond > 0;
+      totals.lost_work += double(part.lost_work);
+    }
+  }
+  for (int k = 0; k < 9; ++k)
+    totals.moment(k / 3, k % 3) = sums[k];
+  return totals;
 }
+
+template SweepTotals sweep(InstructionSet,
+                           const CellLaws &,
+                           const AffineMotion &,
+                           SweepRequest,
+                           GrainRows<double> &,
+                           ContactBlocks<double> &);
+template SweepTotals sweep(InstructionSet,
+                           const CellLaws &,
+                           const AffineMotion &,
+                           SweepRequest,
+                           GrainRows<float> &,
+                           ContactBlocks<float> &);
 } // namespace tamp::dem

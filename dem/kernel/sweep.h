@@ -2,13 +2,13 @@
 #ifndef dem_kernel_sweep_h
 #define dem_kernel_sweep_h
 
-#include <dem/contacts.h>
-#include <dem/grain_material.h>
+#include <dem/cell_laws.h>
+#include <dem/contact_blocks.h>
 #include <dem/grains.h>
+#include <dem/kernel/instruction_set.h>
 #include <dem/tensors.h>
 
 #include <cstddef>
-#include <span>
 
 namespace tamp::dem
 {
@@ -20,30 +20,39 @@ enum class Memory {
 
 /// Sums over the contacts of a sweep.
 struct SweepTotals {
-  double normal_force = 0;    ///< [N]
-  std::size_t contacts = 0;   ///< that carry a force
-  double largest_overlap = 0; ///< over R*, of all contacts [-]
-  double slid_work = 0;       ///< dissipated by sliding [J]; written only
-  double yielded_work = 0;    ///< dissipated by plasticity [J]; written only
+  double normal_force = 0;  ///< of |N| [N]
+  std::size_t contacts = 0; ///< that touch
+  bool too_deep = false;    ///< an overlap beyond 2 R*, where no law holds
+  double lost_work = 0;     ///< by rubbing since the memory was written [J]
+  /// Sum of f (x) l, f the force of the first grain on the second, l the
+  /// branch, if asked for [N m].
+  Matrix3 moment = Matrix3::Zero();
 };
 
-/// The affine part of the motion since the memory was written.
+/// The affine part of a motion.
 struct AffineMotion {
-  Matrix3 h;        ///< the box now, edges as columns [m]
-  Matrix3 gradient; ///< G, such that the relative displacement of two grains is
+  Matrix3 stretch;  ///< h_now h_listed^-1 since the pairs were listed [-]
+  Matrix3 gradient; ///< G since the memory was written, such that the relative
+                    ///< displacement of two grains is
                     ///< motion_j - motion_i + G branch [-]
 };
 
-/// One pass over all pairs: contact forces and torques from places and
-/// motions. Forces in the rows are overwritten. The only hot loop of the room.
-using Sweep = SweepTotals (*)(const ContactModel &model,
-                              const GrainMaterial &material,
-                              const AffineMotion &affine,
-                              std::span<GrainRow> rows,
-                              std::span<ContactBlock> blocks);
+/// What a sweep does.
+struct SweepRequest {
+  Memory memory = Memory::frozen;
+  bool moment = false; ///< whether SweepTotals::moment is wanted
+};
 
-/// The sweep of a combination of laws: chosen once, called often.
-Sweep choose_sweep(const ContactModel &model, Memory memory);
+/// One pass over all pairs: contact forces and torques from the motions of the
+/// grains. Forces in the rows are overwritten. The only hot loop of the room;
+/// it does not allocate.
+template <class T>
+SweepTotals sweep(InstructionSet set,
+                  const CellLaws &laws,
+                  const AffineMotion &affine,
+                  SweepRequest request,
+                  GrainRows<T> &rows,
+                  ContactBlocks<T> &contacts);
 } // namespace tamp::dem
 
 #endif

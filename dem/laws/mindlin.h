@@ -2,80 +2,88 @@
 #ifndef dem_laws_mindlin_h
 #define dem_laws_mindlin_h
 
-#include <dem/tensors.h>
-
-#include <Eigen/Geometry>
-
-#include <cmath>
+#include <dem/laws/pair_law.h>
 
 namespace tamp::dem
 {
-/// How the two surfaces of a contact moved since its memory was written.
-struct ContactMotion {
-  Vector3 normal;        ///< n, unit vector from the first grain to the second
-  Vector3 slip;          ///< relative displacement of the surfaces [m]
-  double spin = 0;       ///< mean rotation of the grains about n [rad]
-  double radius = 0;     ///< contact radius a now [m]
-  double old_radius = 0; ///< a when the memory was written [m]
-  double force = 0;      ///< normal force now [N]
-};
+/// A tangential force that turns with its contact: back into the contact plane
+/// at its old length, then with the spin of the grains about the normal.
+template <class V>
+Triple<V> turned(const Triple<V> &force, const ContactMotion<V> &now)
+{
+  const V before = dot(force, force);
+  const Triple<V> inplane = across(force, now.normal);
+  const V after = dot(inplane, inplane);
+  const V stretch = sqrt(before / max(after, V(tiny)));
+  const Triple<V> kept = select(after > V(tiny), stretch, V(0.0)) * inplane;
+  return kept + now.spin * cross(now.normal, kept);
+}
 
 /// Tangential force with the no-slip stiffness of Mindlin and Coulomb's cap.
 /// Source: Mindlin (1949), J. Appl. Mech. 16:259, k_t = 8 G* a; unloading
 /// rescale: Thornton, Cummins & Cleary (2013), Powder Technol. 233:30, eq. 18b.
 struct Mindlin {
+  static constexpr int more = 0; ///< numbers of its own in the memory
+
   double effective_shear_modulus; ///< G* [Pa]
   double friction_coefficient;    ///< mu [-]
 
-  double stiffness(double contact_radius) const
+  /// k_t [N/m].
+  template <class V>
+  V stiffness(const V &contact_radius) const
   {
-    return 8 * effective_shear_modulus * contact_radius;
+    return V(8 * effective_shear_modulus) * contact_radius;
+  }
+  /// Largest tangential force [N].
+  template <class V>
+  V cap(const NormalAnswer<V> &push) const
+  {
+    return V(friction_coefficient) * max(push.force, V(0.0));
   }
 
-  struct Answer {
-    Vector3 force;        ///< T on the first grain [N]
-    double slid_work = 0; ///< dissipated by sliding [J]
-  };
-
-  /// The old force turns with the contact (its length is kept), shrinks with
-  /// the contact radius when the normal force fell, grows by the slip in the
-  /// contact plane, and is capped at mu N.
-  Answer operator()(Vector3 force, const ContactMotion &now) const
+  /// The old force turns with the contact, shrinks with the contact radius when
+  /// the normal force fell, grows by the slip in the contact plane, and is
+  /// capped at mu N. Lost is the work of sliding, and what a change of the
+  /// contact radius takes off the energy T^2 / (2 k_t) of the old force.
+  template <class V>
+  TangentialAnswer<V>
+  operator()(const Triple<V> &old_force, const ContactMotion<V> &now, V *) const
   {
-    if (now.force <= 0)
-      return {Vector3::Zero(), 0};
-    force = turned(force, now);
-    if (now.radius < now.old_radius)
-      force *= now.radius / now.old_radius;
-    const double k = stiffness(now.radius);
-    force += k * (now.slip - now.slip.dot(now.normal) * now.normal);
-    const double size2 = force.squaredNorm();
-    const double cap = friction_coefficient * now.force;
-    if (size2 <= cap * cap)
-      return {force, 0};
-    const double size = std::sqrt(size2);
-    return {force * (cap / size), cap * (size - cap) / k};
-  }
-
-private:
-  static Vector3 turned(const Vector3 &force, const ContactMotion &now)
-  {
-    const double before = force.squaredNorm();
-    Vector3 inplane = force - force.dot(now.normal) * now.normal;
-    const double after = inplane.squaredNorm();
-    if (after <= 0)
-      return Vector3::Zero();
-    inplane *= std::sqrt(before / after);
-    return inplane + now.spin * now.normal.cross(inplane);
+    const V radius = now.push.contact_radius;
+    const V shrink = min(V(1.0), radius / max(now.old_radius, V(tiny)));
+    const Triple<V> kept = shrink * turned(old_force, now);
+    const V k = stiffness(radius);
+    const Triple<V> tried = kept + k * across(now.slip, now.normal);
+    const V size = sqrt(dot(tried, tried));
+    const V limit = cap(now.push);
+    const V share = min(V(1.0), limit / max(size, V(tiny)));
+    const V slid = limit * max(size - limit, V(0.0));
+    const V stored = V(0.5) * (dot(old_force, old_force) *
+                                   (radius / max(now.old_radius, V(tiny))) -
+                               dot(kept, kept));
+    return {share * tried, (slid + stored) / max(k, V(tiny))};
   }
 };
 
 /// Smooth grains.
 struct NoTangentialForce {
-  double stiffness(double) const { return 0; }
-  Mindlin::Answer operator()(const Vector3 &, const ContactMotion &) const
+  static constexpr int more = 0;
+
+  template <class V>
+  V stiffness(const V &) const
   {
-    return {Vector3::Zero(), 0};
+    return V(0.0);
+  }
+  template <class V>
+  V cap(const NormalAnswer<V> &) const
+  {
+    return V(0.0);
+  }
+  template <class V>
+  TangentialAnswer<V>
+  operator()(const Triple<V> &, const ContactMotion<V> &, V *) const
+  {
+    return {{V(0.0), V(0.0), V(0.0)}, V(0.0)};
   }
 };
 } // namespace tamp::dem

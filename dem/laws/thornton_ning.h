@@ -4,7 +4,6 @@
 
 #include <dem/laws/pair_law.h>
 
-#include <algorithm>
 #include <numbers>
 
 namespace tamp::dem
@@ -20,106 +19,116 @@ namespace tamp::dem
 /// a = a* sqrt(rho).
 /// Source: Thornton (1997), J. Appl. Mech. 64:383; Thornton & Ning (1998),
 /// Powder Technol. 99:154.
-struct ThorntonNing {
-  double effective_modulus; ///< E* [Pa]
-  double limiting_pressure; ///< p_y [Pa]
+class ThorntonNing
+{
+public:
+  static constexpr int more = 0; ///< numbers of its own in the memory
+
+  /// @param effective_modulus  E* [Pa]
+  /// @param limiting_pressure  p_y [Pa]
+  ThorntonNing(double effective_modulus, double limiting_pressure)
+      : effective_modulus_(effective_modulus),
+        plastic_slope_(std::numbers::pi * limiting_pressure),
+        yield_ratio_(plastic_slope_ * plastic_slope_ /
+                     (4 * effective_modulus * effective_modulus)),
+        offset_(yield_ratio_ *
+                (4.0 / 3 * effective_modulus * std::sqrt(yield_ratio_) -
+                 plastic_slope_))
+  {
+  }
 
   /// delta_y = R* (pi p_y / (2 E*))^2 [m].
   template <class V>
-  V yield_overlap(const V &reduced_radius) const
+  V yield_overlap(const PairShape<V> &pair) const
   {
-    return reduced_radius * V(yield_ratio());
+    return pair.reduced_radius * V(yield_ratio_);
   }
 
   /// F* on the virgin curve at delta* >= delta_y:
   /// N_y + pi p_y R* (delta* - delta_y) [N].
   template <class V>
-  V virgin_force(const V &overlap, const V &reduced_radius) const
+  V virgin_force(const V &overlap, const PairShape<V> &pair) const
   {
-    const double y = yield_ratio();
-    const double slope = std::numbers::pi * limiting_pressure;
-    const double offset =
-        y * (4.0 / 3 * effective_modulus * std::sqrt(y) - slope);
-    return reduced_radius * (V(slope) * overlap + V(offset) * reduced_radius);
+    const V radius = pair.reduced_radius;
+    return radius * (V(plastic_slope_) * overlap + V(offset_) * radius);
   }
 
   /// Force and contact radius at an overlap.
-  /// @param overlap          delta [m]; zero or negative gives zero force
-  /// @param reduced_radius   R* [m]
-  /// @param largest_overlap  in: largest so far, out: this one included [m]
+  /// @param overlap  delta [m]; zero or negative gives zero force
   template <class V>
   NormalAnswer<V> operator()(const V &overlap,
-                             const V &reduced_radius,
-                             V &largest_overlap) const
+                             const PairShape<V> &pair,
+                             NormalMemory<V> &memory) const
   {
-    using std::max, std::sqrt;
     const V delta = max(overlap, V(0.0));
-    largest_overlap = max(largest_overlap, delta);
-    const V peak = max(largest_overlap, yield_overlap(reduced_radius));
-    const V peak_radius = sqrt(reduced_radius * peak);
-    const V peak_force = virgin_force(peak, reduced_radius);
-    const V rho = max(V(0.0),
-                      V(1.0) + (delta - peak) * V(4.0 / 3 * effective_modulus) *
-                                   peak_radius / peak_force);
+    memory.largest_overlap = max(memory.largest_overlap, delta);
+    const V peak = max(memory.largest_overlap, yield_overlap(pair));
+    const V peak_radius = sqrt(pair.reduced_radius * peak);
+    const V peak_force = virgin_force(peak, pair);
+    const V rho =
+        max(V(0.0),
+            V(1.0) + (delta - peak) * (V(4.0 / 3 * effective_modulus_) *
+                                       peak_radius / peak_force));
     const V root = sqrt(rho);
-    return {peak_force * rho * root, peak_radius * root};
+    return {peak_force * rho * root, peak_radius * root, V(0.0)};
   }
 
   /// dN/d delta for further loading: pi p_y R* on the plastic part of the
   /// virgin curve, 2 E* a elsewhere [N/m].
   double loading_slope(double overlap,
-                       double reduced_radius,
-                       double largest_overlap) const
+                       const PairShape<double> &pair,
+                       NormalMemory<double> memory) const
   {
-    const double peak =
-        std::max({largest_overlap, overlap, yield_overlap(reduced_radius)});
+    const double peak = peak_overlap(pair, memory);
     if (overlap >= peak)
-      return std::numbers::pi * limiting_pressure * reduced_radius;
-    return 2 * effective_modulus *
-           (*this)(overlap, reduced_radius, largest_overlap).contact_radius;
+      return plastic_slope_ * pair.reduced_radius;
+    return 2 * effective_modulus_ *
+           (*this)(overlap, pair, memory).contact_radius;
   }
   /// dN/d delta of an unloading from the largest overlap, 2 E* a* [N/m].
-  double steepest_slope(double reduced_radius, double largest_overlap) const
+  double steepest_slope(const PairShape<double> &pair,
+                        const NormalMemory<double> &memory) const
   {
-    return 2 * effective_modulus *
-           std::sqrt(reduced_radius *
-                     std::max(largest_overlap, yield_overlap(reduced_radius)));
+    return 2 * effective_modulus_ *
+           sqrt(pair.reduced_radius * peak_overlap(pair, memory));
   }
   /// Whether the contact has yielded.
-  bool is_plastic(double reduced_radius, double largest_overlap) const
+  bool is_plastic(const PairShape<double> &pair,
+                  const NormalMemory<double> &memory) const
   {
-    return largest_overlap > yield_overlap(reduced_radius);
+    return memory.largest_overlap > yield_overlap(pair);
   }
 
   /// Elastic energy 2/5 N (delta - delta_p), and the loss: work of the virgin
   /// curve up to delta* less what full unloading gives back.
-  NormalEnergy
-  energy(double overlap, double reduced_radius, double largest_overlap) const
+  NormalEnergy energy(double overlap,
+                      const PairShape<double> &pair,
+                      NormalMemory<double> memory) const
   {
-    const double y = yield_overlap(reduced_radius);
-    const double peak = std::max({largest_overlap, overlap, y});
-    const double peak_force = virgin_force(peak, reduced_radius);
+    const double force = (*this)(overlap, pair, memory).force;
+    const double y = yield_overlap(pair), peak = peak_overlap(pair, memory);
+    const double yield_force = virgin_force(y, pair);
+    const double peak_force = virgin_force(peak, pair);
     const double recovered = // delta* - delta_p
         0.75 * peak_force /
-        (effective_modulus * std::sqrt(reduced_radius * peak));
-    const double force =
-        (*this)(overlap, reduced_radius, largest_overlap).force;
-    const double above = peak - y,
-                 yield_force = virgin_force(y, reduced_radius);
+        (effective_modulus_ * sqrt(pair.reduced_radius * peak));
     const double work =
-        0.4 * yield_force * y + 0.5 * (yield_force + peak_force) * above;
-    return {0.4 * force * std::max(0.0, overlap - (peak - recovered)),
+        0.4 * yield_force * y + 0.5 * (yield_force + peak_force) * (peak - y);
+    return {0.4 * force * max(0.0, overlap - (peak - recovered)),
             work - 0.4 * peak_force * recovered};
   }
 
 private:
-  /// delta_y / R*.
-  double yield_ratio() const
+  double peak_overlap(const PairShape<double> &pair,
+                      const NormalMemory<double> &memory) const
   {
-    const double root =
-        std::numbers::pi * limiting_pressure / (2 * effective_modulus);
-    return root * root;
+    return max(memory.largest_overlap, yield_overlap(pair));
   }
+
+  double effective_modulus_; // E*
+  double plastic_slope_;     // pi p_y
+  double yield_ratio_;       // delta_y / R*
+  double offset_;            // of the line from the origin, over R*^2
 };
 } // namespace tamp::dem
 

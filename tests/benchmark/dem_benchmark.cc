@@ -51,9 +51,8 @@ const UnitCell &packing(std::size_t count)
   request.grain_count = std::min<std::size_t>(count, 1000);
   request.sizes.minimum_diameter = 450e-6;
   request.sizes.maximum_diameter = 650e-6;
-  request.material = {3.5e9, 0.3, 2000};
+  request.material = {3.5e9, 0.3, 2000, 50e6};
   request.contact.friction_coefficient = 0.35;
-  request.contact.limiting_pressure = 50e6;
   request.goal.pressure = 0.5e6;
   UnitCell cell = make_packing(request);
   for (int k = 0; k < 25; ++k)
@@ -91,27 +90,36 @@ UnitCell sweep_cell(std::size_t count)
 }
 
 /// Frozen sweeps of a jammed cell on the move to its next increment.
-void measure_sweep(std::size_t count)
+template <class T>
+void measure_sweep(InstructionSet set, std::size_t count)
 {
   UnitCell cell = sweep_cell(count);
-  SweepLayout layout(cell);
-  layout.list_pairs(cell.neighbours, cell.box, cell.place, cell.contacts);
-  layout.sweep({cell.box.h, Matrix3::Zero()}, Memory::written);
+  SweepLayout<T> layout(cell, set);
+  layout.list_pairs(cell, cell.box, cell.place);
+  layout.sweep({Matrix3::Identity(), Matrix3::Zero()}, {Memory::written});
   const Stretch step = uniaxial(-1e-4);
-  const AffineMotion affine{step * cell.box.h,
-                            Matrix3::Identity() - step.inverse()};
+  const AffineMotion affine{step, Matrix3::Identity() - step.inverse()};
   const int sweeps = int(std::max<std::size_t>(1, 400000 / count));
   std::vector<double> rates;
   for (int sample = 0; sample < 7; ++sample) {
     const double start = seconds();
     for (int k = 0; k < sweeps; ++k)
-      layout.sweep(affine, Memory::frozen);
+      layout.sweep(affine, {Memory::frozen});
     rates.push_back(double(sweeps) * double(count) / (seconds() - start));
   }
   std::ranges::sort(rates);
-  report("sweep.scalar.double." + std::to_string(count),
+  report("forces." + name_of(set) + (sizeof(T) == 4 ? ".mixed." : ".double.") +
+             std::to_string(count),
          rates[rates.size() / 2],
-         "particle-steps/s");
+         "particle-sweeps/s");
+}
+
+void measure_sweeps(std::size_t count)
+{
+  for (InstructionSet set : instruction_sets()) {
+    measure_sweep<double>(set, count);
+    measure_sweep<float>(set, count);
+  }
 }
 
 /// What a path of 1 % in equal parts costs and where it ends.
@@ -185,7 +193,7 @@ struct Benchmark {
 };
 
 const std::vector<Benchmark> benchmarks = {
-    {"sweep.scalar.double.", {200, 1000, 5000}, measure_sweep},
+    {"forces.", {200, 1000, 5000}, measure_sweeps},
     {"map.evaluations_per_1e-3.", {200, 1000}, measure_evaluations},
     {"map.stress_error.", {200, 1000}, measure_stress_error},
     {"map.seconds_per_1e-3.", {200, 1000}, measure_seconds},

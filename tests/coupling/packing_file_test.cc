@@ -59,6 +59,9 @@ dem::UnitCell busy_cell()
   cell.velocity.assign(cell.size(), {1e-3, -0.0, 1.0 / 3});
   cell.spin.assign(cell.size(), {0, 5e-324, 2});
   cell.energy.damping_dissipation = 1e-7;
+  cell.materials.push_back({1e9, 0.25, 1500, 2e7});
+  cell.species.assign(cell.size(), 0);
+  cell.species[3] = 1;
   return cell;
 }
 
@@ -229,8 +232,22 @@ TEST(AdoptedPacking, IsKeptUnderItsOwnModel)
 {
   const dem::UnitCell &cell = sample_cell();
   dem::UnitCell adopted = cell;
-  EXPECT_EQ(adopt_packing(adopted, cell.material, cell.contact), History::kept);
+  EXPECT_EQ(adopt_packing(adopted, cell.materials, cell.contact),
+            History::kept);
   EXPECT_EQ(adopted, cell);
+}
+
+TEST(AdoptedPacking, NeedsAMaterialForEachSpecies)
+{
+  dem::UnitCell cell = sample_cell();
+  cell.materials.push_back(cell.materials[0]);
+  cell.species.assign(cell.size(), 0);
+  cell.species[5] = 1;
+  const std::vector<dem::GrainMaterial> one(1, cell.materials[0]);
+  EXPECT_NE(message_of<std::invalid_argument>([&] {
+              adopt_packing(cell, one, cell.contact);
+            }).find("2 materials, this run has 1"),
+            std::string::npos);
 }
 
 TEST(AdoptedPacking, SlipsWhereFrictionIsLess)
@@ -238,7 +255,7 @@ TEST(AdoptedPacking, SlipsWhereFrictionIsLess)
   dem::UnitCell cell = sample_cell();
   dem::ContactModel contact = cell.contact;
   contact.friction_coefficient = 0.1;
-  EXPECT_EQ(adopt_packing(cell, cell.material, contact), History::slipped);
+  EXPECT_EQ(adopt_packing(cell, cell.materials, contact), History::slipped);
   EXPECT_EQ(cell.box, sample_cell().box);
   constexpr double rounding = 1e-9;
   for (const dem::ContactForce &force : dem::contact_forces(cell))
@@ -251,7 +268,8 @@ TEST(AdoptedPacking, OfATextPushesAsHardAsBefore)
 {
   dem::UnitCell cell = sample_cell();
   cell.contacts.clear();
-  EXPECT_EQ(adopt_packing(cell, cell.material, cell.contact),
+  cell.more_memory.clear();
+  EXPECT_EQ(adopt_packing(cell, cell.materials, cell.contact),
             History::forgotten);
   const auto pressure = [](const dem::UnitCell &of) {
     return -dem::measure(of).stress.trace() / 3;

@@ -85,7 +85,7 @@ TEST(Packing, StartsWithoutAPast)
   EXPECT_TRUE(cell.velocity.empty());
   EXPECT_TRUE(cell.spin.empty());
   EXPECT_EQ(cell.contact, alumina_request().contact);
-  EXPECT_EQ(cell.material, alumina_request().material);
+  EXPECT_EQ(cell.materials.at(0), alumina_request().material);
 }
 
 TEST(Packing, FrictionWhilePackingMakesItLooser)
@@ -181,7 +181,7 @@ TEST(Packing, TellsOfEveryStep)
   const UnitCell cell = make_packing(
       alumina_request(), [&](const UnitCell &now, const CellAnswer &answer) {
         density.push_back(now.relative_density());
-        stress.push_back(goal_pressure(Compression::isotropic, answer));
+        stress.push_back(goal_pressure(Compression::isotropic, answer.stress));
       });
   ASSERT_GT(density.size(), 50u); // ln(.6/.35)/3 in steps of at most 2e-3
   EXPECT_TRUE(std::ranges::is_sorted(density));

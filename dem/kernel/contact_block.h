@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef dem_kernel_contact_block_h
+#define dem_kernel_contact_block_h
+
+#include <cstddef>
+#include <cstdint>
+
+namespace tamp::dem
+{
+/// Sixteen pairs as the sweep sees them: what is constant while the list of
+/// pairs stands, then the memory. The same on every instruction set, so that
+/// the order of sums never depends on the width of a register.
+template <class T>
+struct alignas(64) ContactBlock {
+  static constexpr std::size_t lanes = 16;
+  std::uint32_t first[lanes], second[lanes];
+  T branch_x[lanes], branch_y[lanes], branch_z[lanes]; ///< when listed [m]
+  T overlap[lanes];                                    ///< when listed [m]
+  T radius_sum[lanes];     ///< R_i + R_j [m]; of a padding lane -1
+  T reduced_radius[lanes]; ///< R* [m]
+  T force_x[lanes], force_y[lanes], force_z[lanes]; ///< tangential [N]
+  T largest_overlap[lanes];                         ///< [m]
+  T contact_radius[lanes];                          ///< [m]
+};
+
+/// Sixty-four contacts on their way through the loops of a sweep, small enough
+/// to stay in the innermost cache.
+template <class T>
+struct alignas(64) Chunk {
+  static constexpr std::size_t blocks = 4;
+  static constexpr std::size_t size = blocks * ContactBlock<T>::lanes;
+  T normal_x[size], normal_y[size], normal_z[size]; ///< n [-]
+  T overlap[size];                                  ///< [m]
+  T arm[size]; ///< distance of the centres over R_i + R_j [-]
+  T slip_x[size], slip_y[size], slip_z[size]; ///< of the surfaces [m]
+  T spin[size];                               ///< about n [rad]
+  T radius_difference[size];                  ///< R_j - R_i [m]
+  T inverse_mass[size];                       ///< 1/m* [1/kg]
+  T force[size];                              ///< N [N]
+  T contact_radius[size];                     ///< a [m]
+  T pull_off[size];                           ///< N_c [N]
+  T rub_x[size], rub_y[size], rub_z[size];    ///< T on the first grain [N]
+};
+} // namespace tamp::dem
+
+#endif

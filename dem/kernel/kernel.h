@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef dem_kernel_kernel_h
+#define dem_kernel_kernel_h
+
+#include <dem/grains.h>
+#include <dem/kernel/contact_block.h>
+#include <dem/laws/pair_laws.h>
+
+#include <array>
+#include <cstddef>
+#include <variant>
+
+namespace tamp::dem
+{
+/// The affine part of a motion, as rows of 3 x 3 matrices.
+template <class T>
+struct AffineLanes {
+  T stretch[9];  ///< h_now h_listed^-1 - I since the pairs were listed [-]
+  T gradient[9]; ///< G since the contact memory was written [-]
+};
+
+/// Sums over the contacts of a sweep.
+template <class T>
+struct KernelTotals {
+  T normal_force = 0; ///< sum of |N| [N]
+  T contacts = 0;     ///< that touch
+  T beyond = 0;       ///< above zero if an overlap is beyond 2 R* [m]
+  T lost_work = 0;    ///< by the tangential law [J]
+};
+
+/// The blocks of one kind of pairs: memory is read from `before` and written to
+/// `after`, which may be the same. `more` are the laws' own numbers, in rows of
+/// ContactBlock::lanes.
+template <class T>
+struct ChunkOfBlocks {
+  std::size_t blocks; ///< 1 to Chunk::blocks
+  const ContactBlock<T> *before;
+  ContactBlock<T> *after;
+  const T *more_before;
+  T *more_after;
+  std::size_t more_rows; ///< of each block
+
+  /// The same, with the numbers of the first `rows` rows left out.
+  ChunkOfBlocks past(std::size_t rows) const
+  {
+    ChunkOfBlocks result = *this;
+    result.more_before += rows * ContactBlock<T>::lanes;
+    result.more_after += rows * ContactBlock<T>::lanes;
+    return result;
+  }
+};
+
+/// One pass of a sweep over one chunk. A law is that of PairLaws whose index in
+/// the list of laws the loop has.
+template <class T>
+struct KernelLoops {
+  using Gather = void (*)(const GrainRow<T> *rows,
+                          const AffineLanes<T> &affine,
+                          const ChunkOfBlocks<T> &contacts,
+                          Chunk<T> &chunk);
+  using Law = void (*)(const void *law,
+                       const ChunkOfBlocks<T> &contacts,
+                       Chunk<T> &chunk,
+                       KernelTotals<T> &totals);
+  using Scatter = void (*)(const ChunkOfBlocks<T> &contacts,
+                           const Chunk<T> &chunk,
+                           GrainRow<T> *rows);
+  /// Adds sum f_a l_b of the chunk, f the force of the first grain on the
+  /// second, to nine sums.
+  using Stress = void (*)(const ChunkOfBlocks<T> &contacts,
+                          const Chunk<T> &chunk,
+                          double *sums);
+
+  Gather gather;
+  std::array<Law, std::variant_size_v<AnyNormalLaw>> normal;
+  std::array<Law, std::variant_size_v<AnyTangentialLaw>> tangential;
+  Scatter scatter;
+  Stress stress;
+};
+
+/// All loops, compiled for one instruction set.
+struct Kernel {
+  KernelLoops<double> in_double;
+  KernelLoops<float> in_float;
+};
+} // namespace tamp::dem
+
+#endif
