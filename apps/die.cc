@@ -284,6 +284,8 @@ void warn_of_loose_cells(RunSession &session)
 {
   const auto &material = session.input().material;
   if (material.kind == coupling::MaterialKind::unit_cell &&
+      material.packing_files.empty() &&
+      material.packing.goal.target == dem::CompressionTarget::pressure &&
       material.packing.goal.pressure < safe_start_pressure)
     session.warn(fmt::format(
         "Packing/Pressure = {:.3g} MPa: packings this loose may collapse in "

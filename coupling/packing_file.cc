@@ -364,10 +364,10 @@ History adopt_packing(UnitCell &cell,
 {
   for (const std::uint8_t species : cell.species)
     if (species >= materials.size())
-      throw std::invalid_argument(
-          "the stored packing has grains of " +
-          std::to_string(cell.materials.size()) + " materials, this run has " +
-          std::to_string(materials.size()));
+      throw std::invalid_argument("the stored packing has grains of " +
+                                  std::to_string(cell.materials.size()) +
+                                  " materials, this run has " +
+                                  std::to_string(materials.size()));
   dem::ContactModel same_laws = cell.contact;
   same_laws.friction_coefficient = contact.friction_coefficient;
   History history = History::kept;
