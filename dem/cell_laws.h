@@ -38,7 +38,7 @@ public:
   /// kinds.
   std::size_t more() const
   {
-    return laws_[0].normal_more() + laws_[0].tangential_more();
+    return laws_[0].more();
   }
 
 private:

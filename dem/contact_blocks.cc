@@ -8,12 +8,15 @@ namespace tamp::dem
 {
 namespace
 {
+/// Fills a block with pairs of the first grain and itself that do not touch.
 template <class T>
 void clear(ContactBlock<T> &block)
 {
   block = {};
-  std::ranges::fill(block.branch_x, T(1));
-  std::ranges::fill(block.radius_sum, T(-1));
+  std::ranges::fill(block.branch_x, T(2));
+  std::ranges::fill(block.radius_sum, T(1));
+  std::ranges::fill(block.inverse_sum, T(1));
+  std::ranges::fill(block.overlap, T(-1));
   std::ranges::fill(block.reduced_radius, T(1));
 }
 
@@ -73,6 +76,7 @@ void ContactBlocks<T>::write(const NearPair &near,
   block.branch_z[lane] = T(near.branch[2]);
   block.overlap[lane] = T(near.overlap);
   block.radius_sum[lane] = T(ri + rj);
+  block.inverse_sum[lane] = T(1 / (ri + rj));
   block.reduced_radius[lane] = T(ri * rj / (ri + rj));
 }
 
@@ -88,7 +92,7 @@ void ContactBlocks<T>::lay_out(const CellLaws &laws,
   more_rows_ = laws.more();
   groups_ = count_kinds<Group>(laws, pairs, lanes);
   blocks_.resize(groups_.back().first_block + groups_.back().blocks);
-  for (const Group &group : groups_) // padding lanes end the last lane's run
+  for (const Group &group : groups_)
     for (std::size_t b = 0; b < group.blocks; ++b)
       clear(blocks_[group.first_block + b]);
   more_.assign(blocks_.size() * more_rows_ * lanes, T(0));

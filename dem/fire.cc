@@ -8,48 +8,36 @@ namespace tamp::dem
 {
 namespace
 {
-constexpr double first_step = 0.7, largest_step = 1.4;
-constexpr double growth = 1.1, shrink = 0.5;
-constexpr double first_mixing = 0.1, mixing_decay = 0.99;
+constexpr double largest_step = 1.4;
+constexpr double growth = 1.1, shrink = 0.5, mixing_decay = 0.99;
 constexpr unsigned patience = 5; // downhill moves before the step may grow
 } // namespace
 
-Fire::Fire(std::vector<double> mass)
-    : mass_(std::move(mass)), velocity_(mass_.size(), 0.0), step_(first_step),
-      mixing_(first_mixing)
+RelaxationMove Fire::next(const RelaxationSums &sums)
 {
-}
-
-void Fire::move(std::span<double> position, std::span<const double> force)
-{
-  double power = 0;
-  for (std::size_t k = 0; k < mass_.size(); ++k)
-    power += force[k] * velocity_[k];
+  RelaxationMove move{};
+  double power = sums.power, kinetic = sums.kinetic, kept = 1;
   if (power > 0) {
     if (++downhill_ > patience) {
       step_ = std::min(step_ * growth, largest_step);
       mixing_ *= mixing_decay;
     }
   } else if (power < 0) {
-    for (std::size_t k = 0; k < mass_.size(); ++k)
-      position[k] -= 0.5 * step_ * velocity_[k];
-    std::ranges::fill(velocity_, 0.0);
+    move.retreat = -0.5 * step_;
+    power = kinetic = kept = 0; // all velocities are stopped
     step_ *= shrink;
     mixing_ = first_mixing;
     downhill_ = 0;
   }
-
-  double kinetic = 0, steepness = 0;
-  for (std::size_t k = 0; k < mass_.size(); ++k) {
-    velocity_[k] += step_ * force[k] / mass_[k];
-    kinetic += mass_[k] * velocity_[k] * velocity_[k];
-    steepness += force[k] * force[k] / mass_[k];
-  }
+  // Of the velocities after the kick v + step F / m.
+  kinetic += step_ * (2 * power + step_ * sums.steepness);
   const double turn =
-      steepness > 0 ? mixing_ * std::sqrt(kinetic / steepness) : 0.0;
-  for (std::size_t k = 0; k < mass_.size(); ++k) {
-    velocity_[k] = (1 - mixing_) * velocity_[k] + turn * force[k] / mass_[k];
-    position[k] += step_ * velocity_[k];
-  }
+      sums.steepness > 0
+          ? mixing_ * std::sqrt(std::max(0.0, kinetic) / sums.steepness)
+          : 0.0;
+  move.keep = (1 - mixing_) * kept;
+  move.push = (1 - mixing_) * step_ + turn;
+  move.step = step_;
+  return move;
 }
 } // namespace tamp::dem

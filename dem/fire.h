@@ -2,9 +2,7 @@
 #ifndef dem_fire_h
 #define dem_fire_h
 
-#include <cstddef>
-#include <span>
-#include <vector>
+#include <dem/kernel/grain_motion.h>
 
 namespace tamp::dem
 {
@@ -16,14 +14,14 @@ namespace tamp::dem
 class Fire
 {
 public:
-  explicit Fire(std::vector<double> mass);
-
-  /// One move of all positions along the forces (same length as the masses).
-  void move(std::span<double> position, std::span<const double> force);
+  /// The next move along the forces whose sums are given; `back` is left to the
+  /// caller.
+  RelaxationMove next(const RelaxationSums &sums);
 
 private:
-  std::vector<double> mass_, velocity_;
-  double step_, mixing_;
+  static constexpr double first_mixing = 0.1;
+
+  double step_ = 0.7, mixing_ = first_mixing;
   unsigned downhill_ = 0;
 };
 } // namespace tamp::dem

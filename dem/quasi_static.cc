@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <dem/fire.h>
 #include <dem/hill_mandel.h>
+#include <dem/kernel/kernel.h>
 #include <dem/measures.h>
 #include <dem/quasi_static.h>
 #include <dem/stretch.h>
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace tamp::dem
 {
@@ -29,8 +31,8 @@ public:
         inverse_box_(box_.h.inverse()),
         back_(stretch.inverse()), affine_{Matrix3::Identity(),
                                           Matrix3::Identity() - back_},
-        layout_(cell, arithmetic.instruction_set),
-        motion_(6 * cell.size(), 0.0), force_(6 * cell.size(), 0.0),
+        loops_(kernel_of(arithmetic.instruction_set).loops<T>().grains),
+        layout_(cell, arithmetic.instruction_set), grains_(cell.size()),
         place_(cell.place)
   {
   }
@@ -49,13 +51,9 @@ public:
     return std::min(along / length2, 1.5);
   }
 
-  void start_from_predictor(double scale)
-  {
-    if (scale > 0)
-      for (std::size_t k = 0; k < motion_.size(); ++k)
-        motion_[k] = scale * cell_.last.motion[k];
-  }
-  void start_from(const std::vector<double> &motion) { motion_ = motion; }
+  /// Starts from a motion of six numbers a grain, scaled; from none if it is
+  /// empty.
+  void start_from(std::span<const double> motion, double scale);
 
   /// Relaxes to equilibrium. The cell is as before until adopt().
   CellAnswer relax();
@@ -63,14 +61,14 @@ public:
   /// Writes the state into the cell.
   void adopt(CellAnswer &answer);
 
-  const std::vector<double> &motion() const { return motion_; }
+  /// Displacement and radius x rotation of every grain [m].
+  std::vector<double> motion() const;
 
 private:
-  void move_rows();
   void list_pairs();
-  bool pairs_hold() const;
-  Fire make_fire() const;
-  double sweep(CellAnswer &answer);
+  void choose_masses();
+  RelaxationSums sweep(CellAnswer &answer);
+  bool move(RelaxationMove move);
 
   UnitCell &cell_;
   const QuasiStatic &settings_;
@@ -78,53 +76,47 @@ private:
   PeriodicBox box_;
   Matrix3 inverse_box_, back_;
   AffineMotion affine_;
+  const GrainLoops<T> &loops_;
   SweepLayout<T> layout_;
-  std::vector<double> motion_, force_; // displacement, radius x rotation
-  std::vector<double> listed_motion_;  // when the pairs were listed
+  std::vector<RelaxingGrain> grains_;
   std::vector<Vector3> place_;
 };
 
 template <class T>
-void Increment<T>::move_rows()
+void Increment<T>::start_from(std::span<const double> motion, double scale)
 {
-  const std::span<GrainRow<T>> rows = layout_.rows();
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const Vector3 moved(&motion_[6 * i]);
-    const Vector3 relative = back_ * moved;
+  if (motion.empty())
+    return;
+  for (std::size_t i = 0; i < grains_.size(); ++i)
     for (int k = 0; k < 3; ++k) {
-      rows[i].moved[k] = T(moved[k] - listed_motion_[6 * i + k]);
-      rows[i].motion[k] = T(relative[k]);
-      const double rolled = motion_[6 * i + 3 + k];
-      rows[i].rotation[k] = T(rolled / cell_.radius[i]);
-      rows[i].motion[4 + k] = T(rolled);
+      grains_[i].position[k] = scale * motion[6 * i + k];
+      grains_[i].position[4 + k] = scale * motion[6 * i + 3 + k];
     }
-  }
+}
+
+template <class T>
+std::vector<double> Increment<T>::motion() const
+{
+  std::vector<double> result;
+  result.reserve(6 * grains_.size());
+  for (const RelaxingGrain &grain : grains_)
+    for (int k : {0, 1, 2, 4, 5, 6})
+      result.push_back(grain.position[k]);
+  return result;
 }
 
 template <class T>
 void Increment<T>::list_pairs()
 {
-  for (std::size_t i = 0; i < place_.size(); ++i)
-    place_[i] = cell_.place[i] + inverse_box_ * Vector3(&motion_[6 * i]);
+  for (std::size_t i = 0; i < place_.size(); ++i) {
+    place_[i] = cell_.place[i] + inverse_box_ * Vector3(grains_[i].position);
+    std::copy_n(grains_[i].position, 3, grains_[i].listed);
+  }
   layout_.list_pairs(cell_, box_, place_);
-  listed_motion_ = motion_;
-  move_rows();
 }
 
 template <class T>
-bool Increment<T>::pairs_hold() const
-{
-  double drift2 = 0;
-  for (const GrainRow<T> &row : layout_.rows())
-    drift2 = std::max(drift2,
-                      double(row.moved[0] * row.moved[0] +
-                             row.moved[1] * row.moved[1] +
-                             row.moved[2] * row.moved[2]));
-  return 4 * drift2 < layout_.gap() * layout_.gap();
-}
-
-template <class T>
-Fire Increment<T>::make_fire() const
+void Increment<T>::choose_masses()
 {
   // A time step of 1 suits a mass of 0.6 times the stiffness around a grain,
   // and of 1.2 times the tangential one for radius x rotation. The floor keeps
@@ -132,58 +124,64 @@ Fire Increment<T>::make_fire() const
   const auto stiffness = layout_.stiffness();
   double floor = 0.6 * stiffness.largest;
   if (floor <= 0) // no contact yet: that of a small overlap
-    floor = cell_.materials[0].youngs_modulus * 0.01 * cell_.mean_radius();
-  std::vector<double> mass(motion_.size());
-  for (std::size_t i = 0; i < place_.size(); ++i) {
-    std::fill_n(&mass[6 * i], 3, std::max(floor, 0.6 * stiffness.both[i]));
+    floor = 0.005 * cell_.materials[0].youngs_modulus * cell_.mean_radius();
+  for (std::size_t i = 0; i < grains_.size(); ++i) {
+    double *mobility = grains_[i].mobility;
+    std::fill_n(mobility, 3, 1 / std::max(floor, 0.6 * stiffness.both[i]));
+    mobility[3] = 1 / cell_.radius[i];
     std::fill_n(
-        &mass[6 * i + 3], 3, std::max(floor, 1.2 * stiffness.tangential[i]));
+        mobility + 4, 3, 1 / std::max(floor, 1.2 * stiffness.tangential[i]));
   }
-  return Fire(std::move(mass));
 }
 
 template <class T>
-double Increment<T>::sweep(CellAnswer &answer)
+RelaxationSums Increment<T>::sweep(CellAnswer &answer)
 {
   const SweepTotals totals = layout_.sweep(affine_, {Memory::frozen});
   ++answer.evaluations;
-  double force = 0, torque = 0;
-  const std::span<const GrainRow<T>> rows = layout_.rows();
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const T *f = rows[i].force;
-    std::copy_n(f, 3, &force_[6 * i]);
-    std::copy_n(f + 4, 3, &force_[6 * i + 3]);
-    force += std::sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
-    torque += std::sqrt(f[4] * f[4] + f[5] * f[5] + f[6] * f[6]);
-  }
-  const double n = double(rows.size());
+  const RelaxationSums sums =
+      loops_.survey(layout_.rows().data(), grains_.data(), grains_.size());
   const double contact = std::max(
       totals.contacts > 0 ? totals.normal_force / double(totals.contacts) : 0.0,
       settings_.force_floor);
-  answer.unbalance = contact > 0 ? std::max(force, torque) / n / contact : 0.0;
+  answer.unbalance = contact > 0 ? std::max(sums.force, sums.torque) /
+                                       double(grains_.size()) / contact
+                                 : 0.0;
   if (!std::isfinite(answer.unbalance) || totals.too_deep)
     answer.outcome = Outcome::diverged;
-  return answer.unbalance;
+  return sums;
+}
+
+/// Moves all grains; whether the list of pairs still holds then.
+template <class T>
+bool Increment<T>::move(RelaxationMove move)
+{
+  for (int k = 0; k < 9; ++k)
+    move.back[k] = back_(k / 3, k % 3);
+  const double farthest2 =
+      loops_.relax(move, layout_.rows().data(), grains_.data(), grains_.size());
+  return 4 * farthest2 < layout_.gap() * layout_.gap();
 }
 
 template <class T>
 CellAnswer Increment<T>::relax()
 {
+  constexpr RelaxationMove stay{};
   CellAnswer answer;
   list_pairs();
-  Fire fire = make_fire();
+  choose_masses();
+  move(stay);
+  Fire fire;
   while (true) {
-    const double unbalance = sweep(answer);
+    const RelaxationSums sums = sweep(answer);
     if (answer.outcome == Outcome::diverged ||
-        unbalance <= settings_.unbalance_tolerance)
+        answer.unbalance <= settings_.unbalance_tolerance)
       break;
     if (answer.evaluations >= settings_.maximum_evaluations) {
       answer.outcome = Outcome::unsettled;
       break;
     }
-    fire.move(motion_, force_);
-    move_rows();
-    if (!pairs_hold())
+    if (!move(fire.next(sums)))
       list_pairs();
   }
   return answer;
@@ -198,11 +196,11 @@ void Increment<T>::adopt(CellAnswer &answer)
   const SweepTotals totals = layout_.sweep(affine_, {Memory::written});
   cell_.box = box_;
   for (std::size_t i = 0; i < place_.size(); ++i)
-    cell_.place[i] += inverse_box_ * Vector3(&motion_[6 * i]);
+    cell_.place[i] += inverse_box_ * Vector3(grains_[i].position);
   layout_.read_memories(cell_);
-  cell_.last = {log_stretch_, motion_};
+  cell_.last = {log_stretch_, motion()};
   answer.stress = love_weber_stress(cell_);
-  answer.hill_mandel = hill_mandel_residual(cell_, back_, motion_);
+  answer.hill_mandel = hill_mandel_residual(cell_, back_, cell_.last.motion);
   cell_.energy.work +=
       0.25 * (old_volume + cell_.box.volume()) *
       ((old_stress + answer.stress).array() * log_stretch_.array()).sum();
@@ -222,10 +220,11 @@ CellAnswer step_in(UnitCell &cell,
   if (guess && guess->predictor_scale < 0)
     guess->predictor_scale = increment.predictor_scale();
   if (guess && !guess->empty())
-    increment.start_from(guess->motion);
-  else
-    increment.start_from_predictor(guess ? guess->predictor_scale
-                                         : increment.predictor_scale());
+    increment.start_from(guess->motion, 1);
+  else if (const double scale =
+               guess ? guess->predictor_scale : increment.predictor_scale();
+           scale > 0)
+    increment.start_from(cell.last.motion, scale);
   CellAnswer answer = increment.relax();
   if (guess) {
     if (answer.outcome == Outcome::settled)

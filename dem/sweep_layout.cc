@@ -57,8 +57,7 @@ typename SweepLayout<T>::Stiffness SweepLayout<T>::stiffness() const
                        std::size_t lane) {
     const std::size_t i = block.first[lane], j = block.second[lane];
     const double overlap = block.overlap[lane];
-    if (block.radius_sum[lane] <= 0 ||
-        (overlap <= 0 && block.contact_radius[lane] <= 0))
+    if (overlap <= 0 && block.contact_radius[lane] <= 0)
       return;
     const PairShape<double> shape = {block.radius_sum[lane],
                                      block.reduced_radius[lane],

@@ -16,8 +16,9 @@ struct alignas(64) ContactBlock {
   std::uint32_t first[lanes], second[lanes];
   T branch_x[lanes], branch_y[lanes], branch_z[lanes]; ///< when listed [m]
   T overlap[lanes];                                    ///< when listed [m]
-  T radius_sum[lanes];     ///< R_i + R_j [m]; of a padding lane -1
-  T reduced_radius[lanes]; ///< R* [m]
+  T radius_sum[lanes];                                 ///< R_i + R_j [m]
+  T inverse_sum[lanes];                             ///< 1 / (R_i + R_j) [1/m]
+  T reduced_radius[lanes];                          ///< R* [m]
   T force_x[lanes], force_y[lanes], force_z[lanes]; ///< tangential [N]
   T largest_overlap[lanes];                         ///< [m]
   T contact_radius[lanes];                          ///< [m]
@@ -37,9 +38,11 @@ struct alignas(64) Chunk {
   T radius_difference[size];                  ///< R_j - R_i [m]
   T inverse_mass[size];                       ///< 1/m* [1/kg]
   T force[size];                              ///< N [N]
-  T contact_radius[size];                     ///< a [m]
+  T old_radius[size];                         ///< a before [m]
   T pull_off[size];                           ///< N_c [N]
-  T rub_x[size], rub_y[size], rub_z[size];    ///< T on the first grain [N]
+  // With contact damping only:
+  T damping[size];                         ///< its part of N [N]
+  T rub_x[size], rub_y[size], rub_z[size]; ///< T with damping [N]
 };
 } // namespace tamp::dem
 

@@ -53,7 +53,8 @@ std::vector<InstructionSet> instruction_sets()
 
 InstructionSet best_instruction_set()
 {
-  return instruction_sets().back();
+  static const InstructionSet best = instruction_sets().back();
+  return best;
 }
 
 const Kernel &kernel_of(InstructionSet set)

@@ -4,10 +4,12 @@
 
 #include <dem/grains.h>
 #include <dem/kernel/contact_block.h>
+#include <dem/kernel/grain_motion.h>
 #include <dem/laws/pair_laws.h>
 
 #include <array>
 #include <cstddef>
+#include <type_traits>
 #include <variant>
 
 namespace tamp::dem
@@ -17,6 +19,7 @@ template <class T>
 struct AffineLanes {
   T stretch[9];  ///< h_now h_listed^-1 - I since the pairs were listed [-]
   T gradient[9]; ///< G since the contact memory was written [-]
+  T rate;        ///< 1 / time since then; 0: no time counts [1/s]
 };
 
 /// Sums over the contacts of a sweep.
@@ -25,7 +28,8 @@ struct KernelTotals {
   T normal_force = 0; ///< sum of |N| [N]
   T contacts = 0;     ///< that touch
   T beyond = 0;       ///< above zero if an overlap is beyond 2 R* [m]
-  T lost_work = 0;    ///< by the tangential law [J]
+  T lost_work = 0;    ///< by the tangential and rolling laws [J]
+  T damped_work = 0;  ///< by contact damping [J]
 };
 
 /// The blocks of one kind of pairs: memory is read from `before` and written to
@@ -50,10 +54,14 @@ struct ChunkOfBlocks {
   }
 };
 
-/// One pass of a sweep over one chunk. A law is that of PairLaws whose index in
-/// the list of laws the loop has.
+/// The loops of a sweep over one chunk, in their order. A law is that of
+/// PairLaws whose index in the list of laws the loop has.
 template <class T>
 struct KernelLoops {
+  static constexpr std::size_t normal_laws = std::variant_size_v<AnyNormalLaw>;
+  static constexpr std::size_t tangential_laws =
+      std::variant_size_v<AnyTangentialLaw>;
+
   using Gather = void (*)(const GrainRow<T> *rows,
                           const AffineLanes<T> &affine,
                           const ChunkOfBlocks<T> &contacts,
@@ -62,9 +70,25 @@ struct KernelLoops {
                        const ChunkOfBlocks<T> &contacts,
                        Chunk<T> &chunk,
                        KernelTotals<T> &totals);
+  using DampPush = void (*)(const Viscous &law,
+                            T rate,
+                            const ChunkOfBlocks<T> &contacts,
+                            Chunk<T> &chunk,
+                            KernelTotals<T> &totals);
+  using DampRub = void (*)(const void *tangential_law,
+                           const Viscous &law,
+                           T rate,
+                           const ChunkOfBlocks<T> &contacts,
+                           Chunk<T> &chunk,
+                           KernelTotals<T> &totals);
   using Scatter = void (*)(const ChunkOfBlocks<T> &contacts,
                            const Chunk<T> &chunk,
                            GrainRow<T> *rows);
+  using Roll = void (*)(const Rolling &law,
+                        const ChunkOfBlocks<T> &contacts,
+                        const Chunk<T> &chunk,
+                        GrainRow<T> *rows,
+                        KernelTotals<T> &totals);
   /// Adds sum f_a l_b of the chunk, f the force of the first grain on the
   /// second, to nine sums.
   using Stress = void (*)(const ChunkOfBlocks<T> &contacts,
@@ -72,16 +96,32 @@ struct KernelLoops {
                           double *sums);
 
   Gather gather;
-  std::array<Law, std::variant_size_v<AnyNormalLaw>> normal;
-  std::array<Law, std::variant_size_v<AnyTangentialLaw>> tangential;
+  Gather gather_with_grains; ///< masses and radii, too
+  std::array<Law, normal_laws> normal;
+  DampPush damp_push; ///< only with damping
+  std::array<Law, tangential_laws> tangential;
+  std::array<Law, tangential_laws> booked_tangential; ///< with lost work
+  std::array<DampRub, tangential_laws> damp_rub;      ///< only with damping
   Scatter scatter;
-  Stress stress;
+  Scatter scatter_damped; ///< after damp_rub
+  Roll roll;              ///< only with a rolling law
+  Stress stress;          ///< only if wanted
+  GrainLoops<T> grains;
 };
 
 /// All loops, compiled for one instruction set.
 struct Kernel {
   KernelLoops<double> in_double;
   KernelLoops<float> in_float;
+
+  template <class T>
+  const KernelLoops<T> &loops() const
+  {
+    if constexpr (std::is_same_v<T, double>)
+      return in_double;
+    else
+      return in_float;
+  }
 };
 } // namespace tamp::dem
 

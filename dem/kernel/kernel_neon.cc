@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <dem/kernel/all_loops.h>
 #include <dem/kernel/instruction_set.h>
-#include <dem/kernel/loops.h>
 
 namespace tamp::dem
 {

@@ -14,15 +14,6 @@ const void *address_of(const auto &law)
                     law);
 }
 
-template <class T>
-const KernelLoops<T> &loops_of(InstructionSet set)
-{
-  if constexpr (sizeof(T) == sizeof(double))
-    return kernel_of(set).in_double;
-  else
-    return kernel_of(set).in_float;
-}
-
 /// Where memory goes that nobody wants.
 template <class T>
 struct Scratch {
@@ -40,23 +31,81 @@ AffineLanes<T> lanes_of(const AffineMotion &affine)
         T(affine.stretch(k / 3, k % 3) - (k / 3 == k % 3 ? 1 : 0));
     result.gradient[k] = T(affine.gradient(k / 3, k % 3));
   }
+  result.rate = affine.time > 0 ? T(1 / affine.time) : T(0);
   return result;
 }
 
-/// Where the laws of a kind and their numbers are.
-struct KindOfLaws {
-  const void *normal, *tangential;
-  std::size_t normal_index, tangential_index;
-  std::size_t normal_rows; // of the laws' own numbers in a block
+/// Takes the chunks of one kind of pairs through the loops.
+template <class T>
+class Passage
+{
+public:
+  Passage(const KernelLoops<T> &loops,
+          const PairLaws &laws,
+          const AffineLanes<T> &affine,
+          SweepRequest request,
+          GrainRow<T> *rows)
+      : loops_(loops), laws_(laws), affine_(affine), request_(request),
+        rows_(rows), normal_(address_of(laws.normal)),
+        tangential_(address_of(laws.tangential)),
+        damped_(laws.viscous && affine.rate > 0),
+        gather_(damped_ ? loops.gather_with_grains : loops.gather),
+        push_(loops.normal[laws.normal.index()]),
+        rub_(request.memory == Memory::frozen
+                 ? loops.tangential[laws.tangential.index()]
+                 : loops.booked_tangential[laws.tangential.index()]),
+        normal_rows_(laws.normal_more()),
+        rolling_rows_(normal_rows_ + laws.tangential_more())
+  {
+  }
+
+  void run(const ChunkOfBlocks<T> &contacts, double (&moment)[9])
+  {
+    KernelTotals<T> part;
+    gather_(rows_, affine_, contacts, chunk_);
+    push_(normal_, contacts, chunk_, part);
+    if (damped_)
+      loops_.damp_push(*laws_.viscous, affine_.rate, contacts, chunk_, part);
+    rub_(tangential_, contacts.past(normal_rows_), chunk_, part);
+    if (damped_)
+      loops_.damp_rub[laws_.tangential.index()](
+          tangential_, *laws_.viscous, affine_.rate, contacts, chunk_, part);
+    (damped_ ? loops_.scatter_damped : loops_.scatter)(contacts, chunk_, rows_);
+    if (laws_.rolling)
+      loops_.roll(
+          *laws_.rolling, contacts.past(rolling_rows_), chunk_, rows_, part);
+    if (request_.moment)
+      loops_.stress(contacts, chunk_, moment);
+    totals_.normal_force += double(part.normal_force);
+    totals_.contacts += std::size_t(part.contacts);
+    totals_.too_deep = totals_.too_deep || part.beyond > 0;
+    totals_.lost_work += double(part.lost_work);
+    totals_.damped_work += double(part.damped_work);
+  }
+  const SweepTotals &totals() const { return totals_; }
+
+private:
+  const KernelLoops<T> &loops_;
+  const PairLaws &laws_;
+  const AffineLanes<T> &affine_;
+  SweepRequest request_;
+  GrainRow<T> *rows_;
+  const void *normal_, *tangential_;
+  bool damped_;
+  typename KernelLoops<T>::Gather gather_;
+  typename KernelLoops<T>::Law push_, rub_;
+  std::size_t normal_rows_, rolling_rows_;
+  Chunk<T> chunk_;
+  SweepTotals totals_;
 };
 
-KindOfLaws kind_of_laws(const PairLaws &laws)
+void add(SweepTotals &sum, const SweepTotals &part)
 {
-  return {address_of(laws.normal),
-          address_of(laws.tangential),
-          laws.normal.index(),
-          laws.tangential.index(),
-          laws.normal_more()};
+  sum.normal_force += part.normal_force;
+  sum.contacts += part.contacts;
+  sum.too_deep = sum.too_deep || part.too_deep;
+  sum.lost_work += part.lost_work;
+  sum.damped_work += part.damped_work;
 }
 } // namespace
 
@@ -68,46 +117,37 @@ SweepTotals sweep(InstructionSet set,
                   GrainRows<T> &rows,
                   ContactBlocks<T> &contacts)
 {
-  const KernelLoops<T> &loops = loops_of<T>(set);
-  const AffineLanes<T> lanes = lanes_of<T>(affine);
+  constexpr std::size_t lanes = ContactBlock<T>::lanes;
+  const AffineLanes<T> motion = lanes_of<T>(affine);
   const std::size_t more_rows = contacts.more_per_contact();
   const bool frozen = request.memory == Memory::frozen;
   Scratch<T> scratch;
-  Chunk<T> chunk;
-  double sums[9] = {};
+  double moment[9] = {};
   SweepTotals totals;
   for (GrainRow<T> &row : rows)
     std::fill_n(row.force, 8, T(0));
   for (const auto &group : contacts.groups()) {
-    const KindOfLaws kind = kind_of_laws(laws.of_kind(group.kind));
+    Passage<T> passage(kernel_of(set).loops<T>(),
+                       laws.of_kind(group.kind),
+                       motion,
+                       request,
+                       rows.data());
     for (std::size_t b = 0; b < group.blocks; b += Chunk<T>::blocks) {
       const std::size_t at = group.first_block + b;
       ContactBlock<T> *const memory = contacts.blocks().data() + at;
-      T *const more =
-          contacts.more().data() + at * more_rows * ContactBlock<T>::lanes;
-      const ChunkOfBlocks<T> here = {
-          std::min(Chunk<T>::blocks, group.blocks - b),
-          memory,
-          frozen ? scratch.blocks : memory,
-          more,
-          frozen ? scratch.more : more,
-          more_rows};
-      KernelTotals<T> part;
-      loops.gather(rows.data(), lanes, here, chunk);
-      loops.normal[kind.normal_index](kind.normal, here, chunk, part);
-      loops.tangential[kind.tangential_index](
-          kind.tangential, here.past(kind.normal_rows), chunk, part);
-      loops.scatter(here, chunk, rows.data());
-      if (request.moment)
-        loops.stress(here, chunk, sums);
-      totals.normal_force += double(part.normal_force);
-      totals.contacts += std::size_t(part.contacts);
-      totals.too_deep = totals.too_deep || part.beyond > 0;
-      totals.lost_work += double(part.lost_work);
+      T *const more = contacts.more().data() + at * more_rows * lanes;
+      passage.run({std::min(Chunk<T>::blocks, group.blocks - b),
+                   memory,
+                   frozen ? scratch.blocks : memory,
+                   more,
+                   frozen ? scratch.more : more,
+                   more_rows},
+                  moment);
     }
+    add(totals, passage.totals());
   }
   for (int k = 0; k < 9; ++k)
-    totals.moment(k / 3, k % 3) = sums[k];
+    totals.moment(k / 3, k % 3) = moment[k];
   return totals;
 }
 

@@ -23,7 +23,9 @@ struct SweepTotals {
   double normal_force = 0;  ///< of |N| [N]
   std::size_t contacts = 0; ///< that touch
   bool too_deep = false;    ///< an overlap beyond 2 R*, where no law holds
-  double lost_work = 0;     ///< by rubbing since the memory was written [J]
+  double lost_work = 0;     ///< by rubbing and rolling since the memory was
+                            ///< written [J]; for written memory only
+  double damped_work = 0;   ///< by damping in the contacts [J]
   /// Sum of f (x) l, f the force of the first grain on the second, l the
   /// branch, if asked for [N m].
   Matrix3 moment = Matrix3::Zero();
@@ -35,6 +37,8 @@ struct AffineMotion {
   Matrix3 gradient; ///< G since the memory was written, such that the relative
                     ///< displacement of two grains is
                     ///< motion_j - motion_i + G branch [-]
+  double time = 0;  ///< since the memory was written, for damping in contacts;
+                    ///< 0: none [s]
 };
 
 /// What a sweep does.

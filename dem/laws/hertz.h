@@ -52,6 +52,17 @@ struct Hertz {
   {
     return {0.4 * max(overlap, 0.0) * (*this)(overlap, pair, memory).force, 0};
   }
+  /// Nothing is lost as grains begin to touch or part.
+  double lost_at_touch(const PairShape<double> &,
+                       const NormalMemory<double> &) const
+  {
+    return 0;
+  }
+  double lost_at_tear(const PairShape<double> &,
+                      const NormalMemory<double> &) const
+  {
+    return 0;
+  }
 };
 } // namespace tamp::dem
 

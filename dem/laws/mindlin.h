@@ -6,16 +6,24 @@
 
 namespace tamp::dem
 {
+/// 1 / sqrt(1 - u) for 0 <= u <= 1, which is near 0 but for contacts that
+/// turned far.
+template <class V>
+V stretch_back(const V &u)
+{
+  if (any(u > V(1e-4))) // series below: within 1e-16
+    return V(1.0) / sqrt(max(V(1.0) - u, V(1e-12)));
+  return V(1.0) + u * (V(0.5) + u * (V(3.0 / 8) + u * V(5.0 / 16)));
+}
+
 /// A tangential force that turns with its contact: back into the contact plane
 /// at its old length, then with the spin of the grains about the normal.
 template <class V>
 Triple<V> turned(const Triple<V> &force, const ContactMotion<V> &now)
 {
-  const V before = dot(force, force);
-  const Triple<V> inplane = across(force, now.normal);
-  const V after = dot(inplane, inplane);
-  const V stretch = sqrt(before / max(after, V(tiny)));
-  const Triple<V> kept = select(after > V(tiny), stretch, V(0.0)) * inplane;
+  const V out = dot(force, now.normal);
+  const V u = min(V(1.0), out * out / max(dot(force, force), V(tiny)));
+  const Triple<V> kept = stretch_back(u) * (force - out * now.normal);
   return kept + now.spin * cross(now.normal, kept);
 }
 

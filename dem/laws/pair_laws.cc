@@ -5,26 +5,42 @@ namespace tamp::dem
 {
 namespace
 {
-AnyNormalLaw normal_law(NormalLaw law, const PairMaterial &material)
+AnyNormalLaw normal_law(const ContactModel &model, const PairMaterial &pair)
 {
-  switch (law) {
+  const double modulus = pair.effective_modulus;
+  const double pressure = pair.limiting_pressure;
+  const double adhesion = model.work_of_adhesion;
+  switch (model.normal_law) {
   case NormalLaw::hertz:
-    return Hertz{material.effective_modulus};
+    return Hertz{modulus};
+  case NormalLaw::jkr:
+    return Jkr(modulus, adhesion);
+  case NormalLaw::thornton_ning_jkr:
+    return AdhesiveThorntonNing(modulus, pressure, adhesion);
+  case NormalLaw::storakers:
+    return Storakers(modulus, pressure);
   default:
-    return ThorntonNing(material.effective_modulus, material.limiting_pressure);
+    return ThorntonNing(modulus, pressure);
   }
 }
 
-AnyTangentialLaw tangential_law(const ContactModel &model,
-                                const PairMaterial &material)
+bool sticks(NormalLaw law)
 {
-  switch (model.tangential_law) {
-  case TangentialLaw::none:
+  return law == NormalLaw::jkr || law == NormalLaw::thornton_ning_jkr;
+}
+
+AnyTangentialLaw tangential_law(const ContactModel &model,
+                                const PairMaterial &pair)
+{
+  const double modulus = pair.effective_shear_modulus;
+  const double friction = model.friction_coefficient;
+  if (model.tangential_law == TangentialLaw::none)
     return NoTangentialForce{};
-  default:
-    return Mindlin{material.effective_shear_modulus,
-                   model.friction_coefficient};
-  }
+  if (model.tangential_law == TangentialLaw::mindlin_deresiewicz)
+    return MindlinDeresiewicz{modulus, friction};
+  if (sticks(model.normal_law))
+    return AdhesiveMindlin{pair.effective_modulus, modulus, friction};
+  return Mindlin{modulus, friction};
 }
 
 std::size_t more_of(const auto &law)
@@ -43,13 +59,29 @@ std::size_t PairLaws::tangential_more() const
   return more_of(tangential);
 }
 
+std::size_t PairLaws::rolling_more() const
+{
+  return rolling ? 3 + Rolling::more : 0; // the moment comes first
+}
+
 PairLaws pair_laws(const ContactModel &model,
                    const GrainMaterial &first,
                    const GrainMaterial &second)
 {
-  const PairMaterial material = pair_material(first, second);
-  return {normal_law(model.normal_law, material),
-          tangential_law(model, material),
-          material.effective_modulus};
+  const PairMaterial pair = pair_material(first, second);
+  PairLaws laws{normal_law(model, pair),
+                tangential_law(model, pair),
+                {},
+                {},
+                pair.effective_modulus};
+  if (model.rolling_law == RollingLaw::epsd)
+    laws.rolling = Rolling{pair.effective_modulus,
+                           pair.effective_shear_modulus,
+                           model.rolling_friction_coefficient,
+                           model.friction_coefficient};
+  if (model.restitution_coefficient < 1)
+    laws.viscous =
+        Viscous(pair.effective_modulus, model.restitution_coefficient);
+  return laws;
 }
 } // namespace tamp::dem

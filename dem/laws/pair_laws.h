@@ -3,34 +3,52 @@
 #define dem_laws_pair_laws_h
 
 #include <dem/grain_material.h>
+#include <dem/laws/adhesive_mindlin.h>
+#include <dem/laws/adhesive_thornton_ning.h>
 #include <dem/laws/hertz.h>
+#include <dem/laws/jkr.h>
 #include <dem/laws/mindlin.h>
+#include <dem/laws/mindlin_deresiewicz.h>
+#include <dem/laws/rolling.h>
+#include <dem/laws/storakers.h>
 #include <dem/laws/thornton_ning.h>
+#include <dem/laws/viscous.h>
 
 #include <cstddef>
+#include <optional>
 #include <variant>
 
 namespace tamp::dem
 {
 /// The list of normal laws, in the order of dem::NormalLaw. A new law is a new
 /// file and an entry here.
-using AnyNormalLaw = std::variant<Hertz, ThorntonNing>;
+using AnyNormalLaw =
+    std::variant<Hertz, ThorntonNing, Jkr, AdhesiveThorntonNing, Storakers>;
 
-/// The list of tangential laws, in the order of dem::TangentialLaw.
-using AnyTangentialLaw = std::variant<NoTangentialForce, Mindlin>;
+/// The list of tangential laws.
+using AnyTangentialLaw = std::
+    variant<NoTangentialForce, Mindlin, MindlinDeresiewicz, AdhesiveMindlin>;
 
 /// The laws of pairs of two materials, with their constants.
 struct PairLaws {
   AnyNormalLaw normal;
   AnyTangentialLaw tangential;
-  double effective_modulus; ///< E* [Pa]
+  std::optional<Rolling> rolling;
+  std::optional<Viscous> viscous; ///< acts in dynamics only
+  double effective_modulus;       ///< E* [Pa]
 
-  /// Numbers that the laws keep in the memory of a contact beyond the common
-  /// ones: those of the normal law, then those of the tangential one.
+  // Numbers that the laws keep in the memory of a contact beyond the common
+  // ones, in this order.
   std::size_t normal_more() const;
   std::size_t tangential_more() const;
+  std::size_t rolling_more() const;
+  std::size_t more() const
+  {
+    return normal_more() + tangential_more() + rolling_more();
+  }
 };
 
+/// Under a normal law with adhesion, mindlin is AdhesiveMindlin.
 PairLaws pair_laws(const ContactModel &model,
                    const GrainMaterial &first,
                    const GrainMaterial &second);

@@ -69,7 +69,8 @@ public:
         max(V(0.0),
             V(1.0) + (delta - peak) * (V(4.0 / 3 * effective_modulus_) *
                                        peak_radius / peak_force));
-    const V root = sqrt(rho);
+    // Without overlap rho is 0 up to round-off only.
+    const V root = select(overlap > V(0.0), sqrt(rho), V(0.0));
     return {peak_force * rho * root, peak_radius * root, V(0.0)};
   }
 
@@ -116,6 +117,17 @@ public:
         0.4 * yield_force * y + 0.5 * (yield_force + peak_force) * (peak - y);
     return {0.4 * force * max(0.0, overlap - (peak - recovered)),
             work - 0.4 * peak_force * recovered};
+  }
+  /// Nothing is lost as grains begin to touch or part.
+  double lost_at_touch(const PairShape<double> &,
+                       const NormalMemory<double> &) const
+  {
+    return 0;
+  }
+  double lost_at_tear(const PairShape<double> &,
+                      const NormalMemory<double> &) const
+  {
+    return 0;
   }
 
 private:

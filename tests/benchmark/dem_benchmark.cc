@@ -89,36 +89,45 @@ UnitCell sweep_cell(std::size_t count)
   return count > base.size() ? repeated(base, count / base.size()) : base;
 }
 
-/// Frozen sweeps of a jammed cell on the move to its next increment.
-template <class T>
-void measure_sweep(InstructionSet set, std::size_t count)
+/// Time steps of dynamics, everything included: forces with history and
+/// rotation, integration, the moving box, lists of pairs; 5e-7 of strain each.
+void measure_step(InstructionSet set, Precision precision, std::size_t count)
 {
   UnitCell cell = sweep_cell(count);
-  SweepLayout<T> layout(cell, set);
-  layout.list_pairs(cell, cell.box, cell.place);
-  layout.sweep({Matrix3::Identity(), Matrix3::Zero()}, {Memory::written});
-  const Stretch step = uniaxial(-1e-4);
-  const AffineMotion affine{step, Matrix3::Identity() - step.inverse()};
-  const int sweeps = int(std::max<std::size_t>(1, 400000 / count));
+  const double step_strain = 5e-7;
+  Driving driving;
+  driving.method = Method::dynamics;
+  driving.arithmetic = {precision, set};
+  // The strain rate that makes a step of that strain.
+  const double slow_rate = 1e-7, trial_strain = 2e-5;
+  driving.dynamics.strain_rate = slow_rate;
+  UnitCell trial = cell;
+  const double trial_steps =
+      double(deform(trial, uniaxial(-trial_strain), driving).evaluations);
+  driving.dynamics.strain_rate =
+      step_strain * trial_steps * slow_rate / trial_strain;
+  const auto steps = double(std::max<std::size_t>(20, 400000 / count));
   std::vector<double> rates;
-  for (int sample = 0; sample < 7; ++sample) {
+  for (int sample = 0; sample < 5; ++sample) {
     const double start = seconds();
-    for (int k = 0; k < sweeps; ++k)
-      layout.sweep(affine, {Memory::frozen});
-    rates.push_back(double(sweeps) * double(count) / (seconds() - start));
+    const CellAnswer answer =
+        deform(cell, uniaxial(-step_strain * steps), driving);
+    rates.push_back(double(answer.evaluations) * double(count) /
+                    (seconds() - start));
   }
   std::ranges::sort(rates);
-  report("forces." + name_of(set) + (sizeof(T) == 4 ? ".mixed." : ".double.") +
+  report("sweep." + name_of(set) +
+             (precision == Precision::mixed ? ".mixed." : ".double.") +
              std::to_string(count),
          rates[rates.size() / 2],
-         "particle-sweeps/s");
+         "particle-steps/s");
 }
 
-void measure_sweeps(std::size_t count)
+void measure_steps(std::size_t count)
 {
   for (InstructionSet set : instruction_sets()) {
-    measure_sweep<double>(set, count);
-    measure_sweep<float>(set, count);
+    measure_step(set, Precision::double_precision, count);
+    measure_step(set, Precision::mixed, count);
   }
 }
 
@@ -193,7 +202,7 @@ struct Benchmark {
 };
 
 const std::vector<Benchmark> benchmarks = {
-    {"forces.", {200, 1000, 5000}, measure_sweeps},
+    {"sweep.", {200, 1000, 5000}, measure_steps},
     {"map.evaluations_per_1e-3.", {200, 1000}, measure_evaluations},
     {"map.stress_error.", {200, 1000}, measure_stress_error},
     {"map.seconds_per_1e-3.", {200, 1000}, measure_seconds},

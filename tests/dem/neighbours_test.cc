@@ -88,12 +88,26 @@ TEST(Neighbours, GridFindsWhatTryingAllPairsFinds)
     }
 }
 
-TEST(Neighbours, NearPairsAreThoseBelowTheGap)
+TEST(Neighbours, NearPairsAreThoseBelowTheGapAndLieAsTheGrains)
 {
+  constexpr double round_off = 1e-13; // of lengths of about one
   const Sample s = random_sample(7, 150, 3.3);
   const Neighbours found = find_neighbours(s.box, s.place, s.radius, s.skin);
-  EXPECT_TRUE(near_pairs(found, s.box, s.place, s.radius, 0.06) ==
-              brute_force(s, 0.06));
+  std::vector<NearPair> near(3); // what was in it is gone
+  find_near_pairs(found, s.box, s.place, s.radius, 0.06, near);
+  std::vector<Pair> pairs;
+  for (const auto &[pair, branch, overlap] : near) {
+    const auto [i, j] = pair;
+    const double distance = nearest(s.box, s.place[j] - s.place[i]);
+    EXPECT_NEAR(branch.norm(), distance, round_off);
+    EXPECT_NEAR(overlap, s.radius[i] + s.radius[j] - distance, round_off);
+    Vector3 shift = s.box.h.inverse() * branch - (s.place[j] - s.place[i]);
+    shift -= Vector3(shift.array().round());
+    EXPECT_LT(shift.norm(), round_off); // whole edges of the box
+    pairs.push_back(pair);
+  }
+  EXPECT_GT(pairs.size(), 100u); // there is something to compare
+  EXPECT_TRUE(pairs == brute_force(s, 0.06));
 }
 
 /// Whether every pair below the gap is listed.

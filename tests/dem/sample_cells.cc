@@ -16,10 +16,10 @@ namespace
 /// Gives the cell the contacts of its places.
 void touch(UnitCell &cell)
 {
-  SweepLayout layout(cell);
-  layout.list_pairs(cell.neighbours, cell.box, cell.place, cell.contacts);
-  layout.sweep({cell.box.h, Matrix3::Zero()}, Memory::written);
-  cell.contacts = layout.contacts().memories();
+  SweepLayout<double> layout(cell, best_instruction_set());
+  layout.list_pairs(cell, cell.box, cell.place);
+  layout.sweep({Matrix3::Identity(), Matrix3::Zero()}, {Memory::written});
+  layout.read_memories(cell);
 }
 } // namespace
 
@@ -45,7 +45,9 @@ const UnitCell &smooth_elastic_cell()
 {
   static const UnitCell cell = [] {
     PackingRequest request = alumina_request();
-    request.contact = {NormalLaw::hertz, TangentialLaw::none, 0, 0};
+    request.contact = {.normal_law = NormalLaw::hertz,
+                       .tangential_law = TangentialLaw::none,
+                       .friction_coefficient = 0};
     return make_packing(request);
   }();
   return cell;

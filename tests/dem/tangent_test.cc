@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <dem/deform.h>
-#include <dem/laws/law_choice.h>
 #include <dem/measures.h>
 #include <dem/tangent.h>
 #include <tests/dem/sample_cells.h>
@@ -25,14 +24,16 @@ constexpr std::array<std::pair<int, int>, 6> component = {
 /// Elastic grains on a face-centred cubic lattice that do not slide.
 struct Lattice : testing::Test {
   UnitCell cell = test::fcc_cell(
-      overlap_ratio, {NormalLaw::hertz, TangentialLaw::mindlin, 10, 1});
+      overlap_ratio,
+      {.normal_law = NormalLaw::hertz, .friction_coefficient = 10});
+  PairMaterial material = pair_material(cell.materials[0], cell.materials[0]);
   double radius = cell.radius[0], distance = 2 * radius / (1 + overlap_ratio);
   double overlap = 2 * radius - distance;
   // Of one contact:
   double a = std::sqrt(0.5 * radius * overlap);
-  double force = 4.0 / 3 * cell.material.effective_modulus() * a * overlap;
-  double kn = 2 * cell.material.effective_modulus() * a;
-  double kt = 8 * cell.material.effective_shear_modulus() * a;
+  double force = 4.0 / 3 * material.effective_modulus * a * overlap;
+  double kn = 2 * material.effective_modulus * a;
+  double kt = 8 * material.effective_shear_modulus * a;
 };
 
 TEST_F(Lattice, MeasuresAreThoseOfFaceCentredCubic)
@@ -149,7 +150,7 @@ TEST(VoigtStiffness, IsThatOfIsotropicContactsInThePacking)
   const CellMeasures packing = measure(cell);
   const double radius = cell.mean_radius();
   const double kn =
-      std::numbers::pi * cell.contact.limiting_pressure * radius / 2;
+      std::numbers::pi * cell.materials[0].limiting_pressure * radius / 2;
   const double bulk = packing.relative_density * packing.coordination_number *
                       kn / (6 * std::numbers::pi * radius);
   const double found = voigt_stiffness(cell).topLeftCorner<3, 3>().sum() / 9;

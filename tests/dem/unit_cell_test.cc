@@ -54,6 +54,22 @@ TEST(UnitCell, RelativeDensityIsSolidOverBoxVolume)
   EXPECT_NEAR(cell.mean_radius(), 2.0 / 3, 1e-15);
 }
 
+TEST(UnitCell, ShapeAndMassAreThoseOfTheGrainsMaterials)
+{
+  UnitCell cell;
+  cell.materials = {{70e9, 0.3, 2650, 1e9}, {210e9, 0.28, 7800, 2e9}};
+  cell.species = {1, 0};
+  cell.radius = {2e-4, 1e-4};
+  const double unit = 4.0 / 3 * std::numbers::pi * 1e-12;
+  EXPECT_NEAR(cell.mass(0), 8 * 7800 * unit, 1e-12 * cell.mass(0));
+  EXPECT_NEAR(cell.mass(1), 2650 * unit, 1e-12 * cell.mass(1));
+  const PairShape<double> shape = cell.shape({0, 1});
+  EXPECT_DOUBLE_EQ(shape.radius_sum, 3e-4);
+  EXPECT_DOUBLE_EQ(shape.reduced_radius, 2e-4 / 3);
+  EXPECT_DOUBLE_EQ(shape.radius_difference, -1e-4);
+  EXPECT_DOUBLE_EQ(shape.inverse_mass, 1 / cell.mass(0) + 1 / cell.mass(1));
+}
+
 TEST(UnitCellBytes, RoundTripIsEqualToTheLastBit)
 {
   const UnitCell cell = lived_in();
@@ -77,6 +93,30 @@ TEST(UnitCellBytes, DynamicStateSurvives)
   compress(cell, -1e-4, 1, driving);
   ASSERT_EQ(cell.velocity.size(), cell.size());
   EXPECT_EQ(from_bytes(bytes_of(cell)), cell);
+}
+
+TEST(UnitCellBytes, SpeciesSurviveAndAreOfMaterialsThatThereAre)
+{
+  UnitCell cell = lived_in();
+  cell.materials.push_back({210e9, 0.28, 7800, 2e9});
+  cell.species.assign(cell.size(), 0);
+  cell.species[7] = 1;
+  EXPECT_EQ(from_bytes(bytes_of(cell)), cell);
+  EXPECT_EQ(from_bytes(bytes_of(cell)).material_of(7).density, 7800);
+  cell.species[8] = 2;
+  EXPECT_THROW((void)from_bytes(bytes_of(cell)), std::runtime_error);
+  cell.species.assign(3, 0);
+  EXPECT_THROW((void)from_bytes(bytes_of(cell)), std::runtime_error);
+  cell.species.clear();
+  cell.materials.clear();
+  EXPECT_THROW((void)from_bytes(bytes_of(cell)), std::runtime_error);
+}
+
+TEST(UnitCellBytes, MoreMemoryThanTheLawsWantIsRefused)
+{
+  UnitCell cell = lived_in();
+  cell.more_memory.assign(cell.contacts.size(), 0.0);
+  EXPECT_THROW((void)from_bytes(bytes_of(cell)), std::runtime_error);
 }
 
 TEST(UnitCellBytes, ContinuedPathIsTheSameToTheLastBit)

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef dem_kernel_grain_row_pack_h
+#define dem_kernel_grain_row_pack_h
+
+#include <dem/kernel/pack.h>
+
+#include <cstddef>
+
+namespace tamp::dem::HWY_NAMESPACE
+{
+/// Eight doubles in as many registers as it takes.
+class RowPack
+{
+public:
+  using P = Pack<double>;
+  static constexpr std::size_t lanes = P::size, parts = 8 / lanes;
+
+  P part[parts];
+
+  RowPack() = default;
+  explicit RowPack(double value)
+  {
+    for (P &p : part)
+      p = P(value);
+  }
+  static RowPack load(const double *from)
+  {
+    RowPack row;
+    for (std::size_t k = 0; k < parts; ++k)
+      row.part[k] = P::load(from + k * lanes);
+    return row;
+  }
+  static RowPack load(const float *from)
+  {
+    alignas(64) double wide[8];
+    for (int k = 0; k < 8; ++k)
+      wide[k] = double(from[k]);
+    return load(wide);
+  }
+  void store(double *to) const
+  {
+    for (std::size_t k = 0; k < parts; ++k)
+      part[k].store(to + k * lanes);
+  }
+  void store(float *to) const
+  {
+    alignas(64) double wide[8];
+    store(wide);
+    for (int k = 0; k < 8; ++k)
+      to[k] = float(wide[k]);
+  }
+
+  friend RowPack operator+(const RowPack &a, const RowPack &b)
+  {
+    return apply(a, b, [](P x, P y) { return x + y; });
+  }
+  friend RowPack operator-(const RowPack &a, const RowPack &b)
+  {
+    return apply(a, b, [](P x, P y) { return x - y; });
+  }
+  friend RowPack operator*(const RowPack &a, const RowPack &b)
+  {
+    return apply(a, b, [](P x, P y) { return x * y; });
+  }
+  friend RowPack operator/(const RowPack &a, const RowPack &b)
+  {
+    return apply(a, b, [](P x, P y) { return x / y; });
+  }
+  friend RowPack larger(const RowPack &a, const RowPack &b)
+  {
+    return apply(a, b, [](P x, P y) { return max(x, y); });
+  }
+  friend RowPack root(const RowPack &a)
+  {
+    return apply(a, a, [](P x, P) { return sqrt(x); });
+  }
+
+  /// In every number the sum of its half.
+  friend RowPack half_sums(const RowPack &a)
+  {
+    RowPack sum;
+#if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX2
+    for (std::size_t k = 0; k < parts; ++k) {
+      const auto pairs =
+          hn::Add(a.part[k].lanes, hn::Shuffle01(a.part[k].lanes));
+      sum.part[k] = P(hn::Add(pairs, hn::SwapAdjacentBlocks(pairs)));
+    }
+#else
+    alignas(64) double n[8];
+    a.store(n);
+    for (int h = 0; h < 8; h += 4)
+      n[h] = n[h + 1] = n[h + 2] = n[h + 3] =
+          (n[h] + n[h + 1]) + (n[h + 2] + n[h + 3]);
+    sum = load(n);
+#endif
+    return sum;
+  }
+
+private:
+  template <class Operation>
+  static RowPack apply(const RowPack &a, const RowPack &b, Operation &&of)
+  {
+    RowPack row;
+    for (std::size_t k = 0; k < parts; ++k)
+      row.part[k] = of(a.part[k], b.part[k]);
+    return row;
+  }
+};
+
+/// A 3 x 3 matrix that acts on the first three numbers of a row and leaves the
+/// last four.
+class RowMatrix
+{
+public:
+  explicit RowMatrix(const double (&matrix)[9])
+  {
+    for (int c = 0; c < 3; ++c) {
+      alignas(64) double column[8] = {
+          matrix[c], matrix[3 + c], matrix[6 + c], 0, 0, 0, 0, 0};
+      column_[c] = RowPack::load(column);
+    }
+    alignas(64) static constexpr double last[8] = {0, 0, 0, 0, 1, 1, 1, 1};
+    rest_ = RowPack::load(last);
+  }
+  /// Of a row that lies in memory.
+  RowPack times(const double *row) const
+  {
+    return (column_[0] * RowPack(row[0]) + column_[1] * RowPack(row[1])) +
+           (column_[2] * RowPack(row[2]) + rest_ * RowPack::load(row));
+  }
+
+private:
+  RowPack column_[3], rest_;
+};
+} // namespace tamp::dem::HWY_NAMESPACE
+
+#endif

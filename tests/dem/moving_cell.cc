@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <tests/dem/moving_cell.h>
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace tamp::dem::test
+{
+SmallMotion no_motion(std::size_t grains)
+{
+  const std::vector<Vector3> rest(grains, Vector3::Zero());
+  return {{Matrix3::Identity(), Matrix3::Zero()}, rest, rest, rest};
+}
+
+SmallMotion random_motion(std::size_t grains,
+                          std::uint64_t seed,
+                          double size,
+                          double length)
+{
+  RandomNumbers random(seed);
+  const auto any = [&] { return size * (2 * random.next() - 1); };
+  const auto vector = [&] {
+    const double x = any(), y = any(), z = any();
+    return Vector3(x, y, z);
+  };
+  SmallMotion motion = no_motion(grains);
+  for (std::size_t i = 0; i < grains; ++i) {
+    motion.moved[i] = vector();
+    motion.relative[i] = vector();
+    motion.rolled[i] = vector();
+  }
+  for (int k = 0; k < 9; ++k) {
+    motion.affine.stretch(k / 3, k % 3) += any() / length;
+    motion.affine.gradient(k / 3, k % 3) = any() / length;
+  }
+  return motion;
+}
+
+namespace
+{
+NormalAnswer<double> push_by_hand(NormalLaw law,
+                                  const PairMaterial &material,
+                                  double overlap,
+                                  const PairShape<double> &shape,
+                                  double &largest)
+{
+  NormalMemory<double> memory = {largest, 0};
+  const NormalAnswer<double> answer =
+      law == NormalLaw::hertz
+          ? Hertz{material.effective_modulus}(overlap, shape, memory)
+          : ThorntonNing(material.effective_modulus,
+                         material.limiting_pressure)(overlap, shape, memory);
+  largest = memory.largest_overlap;
+  return answer;
+}
+
+ContactMemory memory_of(const UnitCell &cell, Pair pair)
+{
+  for (const ContactMemory &memory : cell.contacts)
+    if (memory.pair == pair)
+      return memory;
+  return {pair};
+}
+
+/// A tangential force and the work lost on the way to it.
+struct Rub {
+  Vector3 force = Vector3::Zero(); // [N]
+  double lost = 0;                 // [J]
+};
+
+/// The old force, turned with the contact, shrunk and pushed on to the cap.
+Rub rub_by_hand(const ContactMemory &old,
+                const Vector3 &normal,
+                const Vector3 &slip,
+                double spin,
+                double a,
+                double shear_modulus,
+                double cap)
+{
+  Vector3 rub = old.tangential_force;
+  const double size = rub.norm();
+  rub -= rub.dot(normal) * normal;
+  if (size > 0)
+    rub *= size / rub.norm();
+  rub += spin * normal.cross(rub);
+  if (a < old.contact_radius)
+    rub *= a / old.contact_radius;
+  const double k = 8 * shear_modulus * a;
+  double lost = -rub.squaredNorm() / (2 * k);
+  if (old.contact_radius > 0)
+    lost += size * size / (16 * shear_modulus * old.contact_radius);
+  rub += k * (slip - slip.dot(normal) * normal);
+  if (rub.norm() > cap) {
+    lost += cap * (rub.norm() - cap) / k;
+    rub *= cap / rub.norm();
+  }
+  return {rub, lost};
+}
+
+/// Adds the contact of one pair, l from the first grain to the second.
+void add_contact(const UnitCell &cell,
+                 const SmallMotion &motion,
+                 Pair pair,
+                 const Vector3 &l,
+                 Oracle &sum)
+{
+  const auto [i, j] = pair;
+  const double ri = cell.radius[i], rj = cell.radius[j], d = l.norm();
+  const double overlap = ri + rj - d;
+  if (overlap <= 0)
+    return;
+  const PairMaterial material =
+      pair_material(cell.material_of(i), cell.material_of(j));
+  const ContactMemory old = memory_of(cell, pair);
+  ContactMemory now = old;
+  const NormalAnswer<double> push = push_by_hand(cell.contact.normal_law,
+                                                 material,
+                                                 overlap,
+                                                 cell.shape(pair),
+                                                 now.largest_overlap);
+  const Vector3 normal = l / d;
+  const Vector3 pi = motion.rolled[i] / ri, pj = motion.rolled[j] / rj;
+  const double arm_i = ri / (ri + rj) * d, arm_j = rj / (ri + rj) * d;
+  const Vector3 slip = motion.relative[j] - motion.relative[i] +
+                       motion.affine.gradient * l -
+                       (arm_i * pi + arm_j * pj).cross(normal);
+  auto [rub, lost] =
+      rub_by_hand(old,
+                  normal,
+                  slip,
+                  0.5 * (pi + pj).dot(normal),
+                  push.contact_radius,
+                  material.effective_shear_modulus,
+                  cell.contact.friction_coefficient * push.force);
+  if (cell.contact.tangential_law == TangentialLaw::none || push.force == 0) {
+    rub.setZero();
+    lost = 0;
+  }
+  sum.totals.lost_work += lost;
+  now.contact_radius = push.contact_radius;
+  now.tangential_force = rub;
+  sum.memories.push_back(now);
+  const Vector3 on_first = rub - push.force * normal;
+  sum.totals.contacts += push.force > 0;
+  sum.totals.normal_force += push.force;
+  sum.totals.too_deep |= overlap > 2 * cell.shape(pair).reduced_radius;
+  sum.totals.moment -= on_first * l.transpose();
+  sum.force[i] += on_first;
+  sum.force[j] -= on_first;
+  sum.torque[i] += arm_i / ri * normal.cross(rub);
+  sum.torque[j] += arm_j / rj * normal.cross(rub);
+}
+} // namespace
+
+Oracle by_hand(const UnitCell &cell, const SmallMotion &motion)
+{
+  const std::size_t n = cell.size();
+  Oracle sum;
+  sum.force.assign(n, Vector3::Zero());
+  sum.torque.assign(n, Vector3::Zero());
+  for (std::uint32_t i = 0; i < n; ++i)
+    for (std::uint32_t j = i + 1; j < n; ++j)
+      for (int k = 0; k < 27; ++k) {
+        Vector3 s = cell.place[j] - cell.place[i];
+        for (int a = 0; a < 3; ++a)
+          s[a] -= std::floor(s[a]);
+        const Vector3 image(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
+        add_contact(cell,
+                    motion,
+                    {i, j},
+                    motion.affine.stretch * (cell.box.h * (s + image)) +
+                        motion.moved[j] - motion.moved[i],
+                    sum);
+      }
+  return sum;
+}
+
+double largest(std::span<const Vector3> values)
+{
+  double result = 0;
+  for (const Vector3 &value : values)
+    result = std::max(result, value.norm());
+  return result;
+}
+
+double largest_difference(std::span<const Vector3> a,
+                          std::span<const Vector3> b)
+{
+  if (a.size() != b.size())
+    return std::numeric_limits<double>::infinity();
+  double result = 0;
+  for (std::size_t k = 0; k < a.size(); ++k)
+    result = std::max(result, (a[k] - b[k]).norm());
+  return result;
+}
+} // namespace tamp::dem::test
