@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace tamp::apps
@@ -110,12 +111,14 @@ void check_packing(const ParameterTable &table,
   try {
     material.packing.check();
   } catch (const std::invalid_argument &error) {
-    const bool target = material.packing.goal.relative_density <
-                        material.packing.initial_relative_density;
-    table.complain(material.packing.edge_ratio != 0 ? "Packing/Cell shape"
-                   : target                         ? "Packing/Relative density"
-                                                    : "Grains/Count",
-                   error.what());
+    const std::string problem = error.what();
+    for (const auto &[begin, path] :
+         {std::pair("grain count", "Grains/Count"),
+          std::pair("edge ratio", "Packing/Cell shape"),
+          std::pair("relative density of", "Packing/Relative density")})
+      if (problem.starts_with(begin))
+        table.complain(path, problem);
+    throw InputError(problem);
   }
 }
 
