@@ -14,6 +14,8 @@ namespace tamp::apps
 
 /// A material point along a path.
 int run_probe(const RunOptions &options);
+/// Packings of grains.
+int run_pack(const RunOptions &options);
 /// A compact in a die.
 int run_die(const RunOptions &options);
 /// Prints all parameters: "prm", "json" or "md".

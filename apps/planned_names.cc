@@ -8,20 +8,13 @@ namespace tamp::apps
 {
 namespace
 {
-constexpr std::array<std::string_view, 5> entries{
+constexpr std::array<std::string_view, 4> entries{
     "Contact/Rolling friction coefficient",
     "Contact/Work of adhesion",
     "Die/Punch friction coefficient",
-    "Output/Checkpoint interval",
-    "Packing/File"};
-constexpr std::array<std::string_view, 8> commands{"calibrate",
-                                                   "check",
-                                                   "compare",
-                                                   "contact",
-                                                   "fit",
-                                                   "inspect",
-                                                   "pack",
-                                                   "selftest"};
+    "Output/Checkpoint interval"};
+constexpr std::array<std::string_view, 7> commands{
+    "calibrate", "check", "compare", "contact", "fit", "inspect", "selftest"};
 } // namespace
 
 bool is_planned_entry(std::string_view path)

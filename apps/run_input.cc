@@ -5,6 +5,10 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace tamp::apps
 {
@@ -90,6 +94,54 @@ void read_output(const ParameterTable &table, OutputSettings &output)
   output.plot_formats = table.words("Output/Plot format");
 }
 
+// What only the packing itself can judge, such as its cell's width.
+void check_packing(const ParameterTable &table,
+                   const coupling::MaterialChoice &material)
+{
+  if (!material.packing_files.empty())
+    return;
+  try {
+    material.packing.check();
+  } catch (const std::invalid_argument &error) {
+    const std::string problem = error.what();
+    for (const auto &[begin, path] :
+         {std::pair("grain count", "Grains/Count"),
+          std::pair("edge ratio", "Packing/Cell shape"),
+          std::pair("relative density of", "Packing/Relative density")})
+      if (problem.starts_with(begin))
+        table.complain(path, problem);
+    throw InputError(problem);
+  }
+}
+
+void read_replicas(const ParameterTable &table, Need need, RunInput &input)
+{
+  input.replicas = static_cast<std::size_t>(table.whole("Packing/Replicas"));
+  const std::size_t starts = input.material.packing_files.size();
+  if (need == Need::pack && starts > 0 && input.replicas > starts)
+    table.complain("Packing/Replicas",
+                   fmt::format("packings of a file are the same every time; "
+                               "expected at most as many as Packing/File "
+                               "names, {}",
+                               starts));
+}
+
+std::vector<std::filesystem::path> files_of(const ParameterTable &table,
+                                            const RunInput &input)
+{
+  std::vector<std::filesystem::path> files = input.material.packing_files;
+  for (const ProbeStage &stage : input.path.stages)
+    if (!stage.file.empty())
+      files.push_back(stage.file);
+  if (!input.die.geometry.mesh_file.empty())
+    files.emplace_back(input.die.geometry.mesh_file);
+  for (const std::string section : {"Grains/", "Grains/Second species/"})
+    if (const std::string path = section + "Size table";
+        !table.word(path).empty())
+      files.push_back(table.folder(path) / table.word(path));
+  return files;
+}
+
 void check_grain_points(const ParameterTable &table,
                         const RunInput &input,
                         std::size_t count)
@@ -122,12 +174,17 @@ RunInput read_input(const ParameterTable &table, Need need)
   RunInput input;
   read_grains(table, input.material);
   read_material(table, input.material);
-  if (need != Need::die)
+  if (need == Need::pack ||
+      input.material.kind == coupling::MaterialKind::unit_cell)
+    check_packing(table, input.material);
+  if (need == Need::probe || need == Need::everything)
     read_path(table, input);
   read_output(table, input.output);
-  if (need != Need::probe)
+  if (need == Need::die || need == Need::everything)
     check_grain_points(
         table, input, read_die(table, input.material.kind, input.die));
+  read_replicas(table, need, input);
+  input.files = files_of(table, input);
   return input;
 }
 } // namespace tamp::apps

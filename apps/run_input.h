@@ -6,6 +6,7 @@
 #include <coupling/material_factory.h>
 #include <fem/die_settings.h>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,9 @@ struct RunInput {
   double stress_tolerance = 1e-3; ///< of the probe's stress control [-]
   fem::DieSettings die;
   OutputSettings output;
+  std::size_t replicas = 1; ///< packings that tamp pack makes
+  /// Files that the run reads besides the input.
+  std::vector<std::filesystem::path> files;
 };
 
 /// Declares every parameter of the program.
@@ -38,7 +42,7 @@ void declare_parameters(ParameterTable &table);
 
 /// Which part of the input a command needs: the other part may be left as it
 /// is, even if it does not fit the material.
-enum class Need { everything, probe, die };
+enum class Need { everything, probe, die, pack };
 
 /// Turns values into settings. Throws InputError where values do not fit
 /// together, or where a file that they name is missing.

@@ -54,7 +54,7 @@ const UnitCell &packing(std::size_t count)
   request.sizes.maximum_diameter = 650e-6;
   request.material = {3.5e9, 0.3, 2000, 50e6};
   request.contact.friction_coefficient = 0.35;
-  request.pressure = 0.5e6;
+  request.goal.pressure = 0.5e6;
   UnitCell cell = make_packing(request);
   for (int k = 0; k < 25; ++k)
     deform(cell, uniaxial(-2e-3), {});

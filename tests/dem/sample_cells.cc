@@ -31,7 +31,7 @@ PackingRequest alumina_request()
   request.sizes.maximum_diameter = 650e-6;
   request.material = {3.5e9, 0.3, 2000, 50e6};
   request.contact.friction_coefficient = 0.35;
-  request.pressure = 0.5e6;
+  request.goal.pressure = 0.5e6;
   return request;
 }
 

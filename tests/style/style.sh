@@ -27,7 +27,7 @@ allowed_in() {
     dem/*) echo "$standard|Eigen/[^>]*|dem/[^>]*" ;;
     fem/*) echo "$standard|fem/[^>]*|$deal" ;;
     coupling/*)
-      echo "$standard|Eigen/[^>]*|(dem|fem|coupling)/[^>]*|$deal|vtk[^>]*" ;;
+      echo "$standard|Eigen/[^>]*|(dem|fem|coupling)/[^>]*|$deal|vtk[^>]*|(hdf5|fcntl|unistd)\.h" ;;
     *) echo '[^>]*' ;;
   esac
 }
