@@ -162,36 +162,44 @@ checked() { # COMMAND...: its output in $work/out
   }
 }
 
-# Stress and coordination number on the way: PEER LAW DENSITY AXIAL LATERAL Z.
+# What is known on the way, a line PEER LAW DENSITY AXIAL LATERAL Z for each
+# density, and the user CPU seconds of all of it: "seconds" PEER LAW SECONDS.
 compact() {
+  local way seconds TIMEFORMAT=%U
   if [ "$1" = tamp ]; then
-    checked run_peer tamp "$2" "${densities[@]}"
+    way=("${densities[@]}")
   else
-    checked run_peer "$1" "$2" "$(steps_between)"
+    way=("$(steps_between)")
   fi
-  awk -v peer="$1" -v law="$2" '
+  seconds=$({ time checked run_peer "$1" "$2" "${way[@]}" 2>&3; } 3>&2 2>&1)
+  awk -v peer="$1" -v law="$2" -v seconds="$seconds" '
     $1 == "state" { print peer, law, $2, $3, ($4 + $5) / 2, $6 }
-    $1 == "evaluations" { print "evaluations", law, $2 }' "$work/out"
+    $1 == "evaluations" { print "evaluations", peer, law, $2 }
+    END { print "seconds", peer, law, seconds }' "$work/out"
 }
 
-# User CPU seconds of so many steps.
+# User CPU seconds of so many steps, and the steps made: tamp divides a strain
+# into steps of its own.
 seconds_of() { # PEER STEPS
   local law TIMEFORMAT=%U
   law=$(laws_of "$1" | cut -d ' ' -f 1)
   [ "$1" != tamp ] || law=steps
   { time checked run_peer "$1" "$law" "$2" 2>&3; } 3>&2 2>&1
+  awk -v steps="$2" '$1 == "steps" { steps = $2 } END { print steps }' \
+    "$work/out"
 }
 
-# Particle-steps per second, one line per timing.
+# Particle-steps per second, one line per timing: what a long run takes more
+# than a short one, without the start of the process.
 speeds() {
   local long short grains
   grains=$(awk '$1 != "#" && NF == 4' "$start" | wc -l)
   for _ in $(seq "$runs"); do
     short=$(seconds_of "$1" "$warm_up_steps")
     long=$(seconds_of "$1" $((warm_up_steps + speed_steps)))
-    awk -v n="$grains" -v steps="$speed_steps" -v a="$short" -v b="$long" \
-      'BEGIN { print n * steps / (b - a) }'
-  done | sort -g
+    printf '%s ' "$grains" "$short" "$long" | tr '\n' ' '
+    echo
+  done | awk '{ print $1 * ($5 - $3) / ($4 - $2) }' | sort -g
 }
 
 work=$(mktemp -d)
@@ -231,8 +239,8 @@ done
       }' "$work/speed.$peer"
   done
   [ ! -e "$work/states" ] || awk '
-    $1 == "evaluations" {
-      print "peer.tamp." $2 ".evaluations," $3 ",-"
+    $1 == "evaluations" || $1 == "seconds" {
+      print "peer." $2 "." $3 "." $1 "," $4 "," ($1 == "seconds" ? "s" : "-")
       next
     }
     {

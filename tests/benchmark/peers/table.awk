@@ -17,8 +17,14 @@ BEGIN {
          "axial, lateral, Z against LAMMPS"
 }
 $1 == "evaluations" {
-  if ($2 == "map")
-    map = $3
+  evaluations[$2, $3] = $4
+  next
+}
+$1 == "seconds" {
+  cost = cost sprintf("%-9s %-15s %9.2f s", $2, $3, $4)
+  if (($2, $3) in evaluations)
+    cost = cost sprintf("   %d evaluations of all forces", evaluations[$2, $3])
+  cost = cost "\n"
   next
 }
 {
@@ -41,6 +47,6 @@ $1 == "evaluations" {
 END {
   for (k = 1; k <= densities; ++k)
     printf "%s", line[order[k]]
-  if (map)
-    print "\ntamp's map took " map " evaluations of all contact forces"
+  print "\nuser CPU seconds of the whole compaction"
+  printf "%s", cost
 }
