@@ -189,17 +189,15 @@ seconds_of() { # PEER STEPS
     "$work/out"
 }
 
-# Particle-steps per second, one line per timing: what a long run takes more
-# than a short one, without the start of the process.
-speeds() {
+# Particle-steps per second of a peer, once: what a long run takes more than a
+# short one, without the start of the process.
+speed() {
   local long short grains
   grains=$(awk '$1 != "#" && NF == 4' "$start" | wc -l)
-  for _ in $(seq "$runs"); do
-    short=$(seconds_of "$1" "$warm_up_steps")
-    long=$(seconds_of "$1" $((warm_up_steps + speed_steps)))
-    printf '%s ' "$grains" "$short" "$long" | tr '\n' ' '
-    echo
-  done | awk '{ print $1 * ($5 - $3) / ($4 - $2) }' | sort -g
+  short=$(seconds_of "$1" "$warm_up_steps")
+  long=$(seconds_of "$1" $((warm_up_steps + speed_steps)))
+  printf '%s ' "$grains" "$short" "$long" | tr '\n' ' ' |
+    awk '{ print $1 * ($5 - $3) / ($4 - $2) }'
 }
 
 work=$(mktemp -d)
@@ -210,9 +208,15 @@ for peer in "$@"; do
 done
 data_file > "$work/grains.data"
 
+# All codes in turn, round by round: other work on the machine slows them alike.
+for round in $(seq "$runs"); do
+  echo "timing: round $round of $runs" >&2
+  for peer in "$@"; do
+    speed "$peer" >> "$work/speed.$peer"
+  done
+done
 for peer in "$@"; do
-  echo "timing: $peer" >&2
-  speeds "$peer" > "$work/speed.$peer"
+  sort -g -o "$work/speed.$peer" "$work/speed.$peer"
   [ -z "${SPEED_ONLY:-}" ] || continue
   for law in $(laws_of "$peer"); do
     echo "compacting: $peer, $law" >&2

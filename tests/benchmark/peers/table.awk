@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Reads lines "peer law density axial lateral Z" and prints them with what
-# separates each from LAMMPS with the same tangential law (the first listed at
-# that density, if LAMMPS did not run).
+# separates each from LAMMPS with the same tangential law, or from the first
+# code that ran with it.
 function same_law(peer, law)
 {
   return peer == "tamp" ? "rescaled_force" : law
@@ -14,7 +14,7 @@ BEGIN {
   print ""
   printf "%-8s %-9s %-15s %9s %9s %7s %7s   %s\n", "density", "code", "law",
          "axial/kPa", "lat./kPa", "lat/ax", "Z",
-         "axial, lateral, Z against LAMMPS"
+         "axial, lateral, Z against the first with this law"
 }
 $1 == "evaluations" {
   evaluations[$2, $3] = $4
