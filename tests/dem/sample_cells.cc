@@ -115,8 +115,7 @@ std::vector<ContactModel> every_contact_model()
                            NormalLaw::thornton_ning,
                            NormalLaw::jkr,
                            NormalLaw::thornton_ning_jkr,
-                           NormalLaw::storakers,
-                           NormalLaw::mdr})
+                           NormalLaw::storakers})
     for (TangentialLaw tangential : {TangentialLaw::none,
                                      TangentialLaw::mindlin,
                                      TangentialLaw::mindlin_deresiewicz})
