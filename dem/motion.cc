@@ -176,11 +176,10 @@ void MotionIn<T>::read_velocities()
     const double a = 0.5 * step_.length * damping / inertia;
     for (int k = at; k < at + 3; ++k) {
       grain.velocity[k] = velocity[k - at];
-      grain.decay[k] = (1 - a) / (1 + a);
+      grain.damping[k] = damping;
       grain.gain[k] = step_.length / inertia / (1 + a);
     }
-    grain.velocity[at + 3] = 0;
-    grain.decay[at + 3] = grain.gain[at + 3] = 1;
+    grain.velocity[at + 3] = grain.damping[at + 3] = grain.gain[at + 3] = 0;
   };
   for (std::size_t i = 0; i < grains_.size(); ++i) {
     const double r = cell_.radius[i];
@@ -235,8 +234,7 @@ TimeStepSums MotionIn<T>::first_drift()
   std::vector<MovingGrain> drifting = grains_;
   for (MovingGrain &grain : drifting)
     for (int k : {0, 1, 2, 4, 5, 6}) {
-      grain.decay[k] = 1;
-      grain.gain[k] = std::numeric_limits<double>::min();
+      grain.gain[k] = grain.damping[k] = 0;
     }
   const TimeStepSums sums = loops_.advance(
       step_, layout_.rows().data(), drifting.data(), drifting.size());

@@ -40,22 +40,25 @@ survey(const GrainRow<T> *rows, const RelaxingGrain *grains, std::size_t count)
   return {total(power), total(kinetic), total(steepness), norm[0], norm[4]};
 }
 
-/// Writes radius, or what stands in its place, and inverse mass back into a
-/// row that was stored over.
-template <class T>
-void put_place(GrainRow<T> &row, const RowPack &place)
-{
-  const T radius = row.radius, inverse_mass = row.inverse_mass;
-  place.store(reinterpret_cast<T *>(&row));
-  row.radius = radius;
-  row.inverse_mass = inverse_mass;
-}
+/// Rows of ones and zeros.
+struct RowMasks {
+  RowPack first = row({1, 1, 1, 0, 0, 0, 0, 0});
+  RowPack last = row({0, 0, 0, 0, 1, 1, 1, 0});
+  RowPack constant = row({0, 0, 0, 1, 0, 0, 0, 1}); ///< radius, inverse mass
 
-/// 1 in the first four numbers, `last` in the others.
-inline RowPack one_and(double last)
+private:
+  struct Eight {
+    alignas(64) double n[8];
+  };
+  static RowPack row(const Eight &eight) { return RowPack::load(eight.n); }
+};
+
+/// Writes what a grain has moved and turned; its constants stay.
+template <class T>
+void put_place(GrainRow<T> &row, const RowMasks &masks, const RowPack &place)
 {
-  alignas(64) const double scale[8] = {1, 1, 1, 1, last, last, last, last};
-  return RowPack::load(scale);
+  T *const at = reinterpret_cast<T *>(&row);
+  (place + masks.constant * RowPack::load(at)).store(at);
 }
 
 template <class T>
@@ -67,6 +70,7 @@ double relax(const RelaxationMove &move,
   const RowPack retreat(move.retreat), keep(move.keep), push(move.push),
       step(move.step);
   const RowMatrix back(move.back);
+  const RowMasks masks;
   RowPack farthest2(0.0);
   for (std::size_t i = 0; i < count; ++i) {
     RelaxingGrain &grain = grains[i];
@@ -79,7 +83,9 @@ double relax(const RelaxationMove &move,
     velocity.store(grain.velocity);
     position.store(grain.position);
     const RowPack moved = position - RowPack::load(grain.listed);
-    put_place(rows[i], moved * one_and(grain.mobility[3]));
+    put_place(rows[i],
+              masks,
+              moved * (masks.first + RowPack(grain.mobility[3]) * masks.last));
     back.times(grain.position).store(rows[i].motion);
     farthest2 = larger(farthest2, half_sums(moved * moved));
   }
@@ -94,35 +100,32 @@ TimeStepSums advance(const TimeStep &step,
                      MovingGrain *grains,
                      std::size_t count)
 {
-  const RowPack length(step.length), half(0.5), one(1.0);
+  const RowPack length(step.length), half(0.5);
   const RowMatrix stretch(step.stretch), back(step.back);
+  const RowMasks masks;
   RowPack heat(0.0), fastest2(0.0);
   for (std::size_t i = 0; i < count; ++i) {
     MovingGrain &grain = grains[i];
     const RowPack gain = RowPack::load(grain.gain);
-    const RowPack decay = RowPack::load(grain.decay);
+    const RowPack damping = RowPack::load(grain.damping);
     const RowPack old = RowPack::load(grain.velocity);
-    const RowPack velocity = decay * old + gain * RowPack::load(rows[i].force);
+    const RowPack velocity =
+        old + gain * (RowPack::load(rows[i].force) - damping * old);
     velocity.store(grain.velocity);
     const RowPack middle = half * (old + velocity);
-    heat = heat + (one - decay) / gain * (middle * middle);
+    heat = heat + damping * (middle * middle);
     fastest2 = larger(fastest2, half_sums(velocity * velocity));
 
     alignas(64) double went[8];
-    (length * velocity).store(went);
-    const RowPack motion = back.times(went);
-    motion.store(rows[i].motion);
-    const RowPack moved = stretch.times(grain.moved) + RowPack::load(went);
+    const RowPack way = length * velocity;
+    way.store(went);
+    back.times(went).store(rows[i].motion);
+    const RowPack moved = stretch.times(grain.moved) + way;
     moved.store(grain.moved);
-    alignas(64) const double place[8] = {grain.moved[0],
-                                         grain.moved[1],
-                                         grain.moved[2],
-                                         0,
-                                         went[4],
-                                         went[5],
-                                         went[6],
-                                         0};
-    put_place(rows[i], RowPack::load(place) * one_and(grain.gain[3]));
+    put_place(rows[i],
+              masks,
+              masks.first * moved +
+                  RowPack(grain.gain[3]) * (masks.last * way));
   }
   alignas(64) double fastest[8];
   fastest2.store(fastest);

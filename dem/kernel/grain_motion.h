@@ -40,8 +40,8 @@ struct RelaxationMove {
 struct alignas(64) MovingGrain {
   double velocity[8]; ///< fluctuation, 0, radius x spin, 0 [m/s]
   double moved[8];    ///< since the pairs were listed, less the box [m]
-  double decay[8];    ///< velocity left after a step without force [-]
-  /// Velocity per force and step [s/kg]; 1 / radius [1/m] in number 3.
+  double damping[8];  ///< force per velocity [kg/s]
+  /// Velocity gained per force [s/kg]; 1 / radius [1/m] in number 3.
   double gain[8];
 };
 

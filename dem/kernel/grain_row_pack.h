@@ -14,6 +14,7 @@ class RowPack
 public:
   using P = Pack<double>;
   static constexpr std::size_t lanes = P::size, parts = 8 / lanes;
+  using Narrow = hn::Rebind<float, P::Tag>;
 
   P part[parts];
 
@@ -32,10 +33,11 @@ public:
   }
   static RowPack load(const float *from)
   {
-    alignas(64) double wide[8];
-    for (int k = 0; k < 8; ++k)
-      wide[k] = double(from[k]);
-    return load(wide);
+    RowPack row;
+    for (std::size_t k = 0; k < parts; ++k)
+      row.part[k] =
+          P(hn::PromoteTo(P::Tag(), hn::Load(Narrow(), from + k * lanes)));
+    return row;
   }
   void store(double *to) const
   {
@@ -44,10 +46,9 @@ public:
   }
   void store(float *to) const
   {
-    alignas(64) double wide[8];
-    store(wide);
-    for (int k = 0; k < 8; ++k)
-      to[k] = float(wide[k]);
+    for (std::size_t k = 0; k < parts; ++k)
+      hn::Store(
+          hn::DemoteTo(Narrow(), part[k].lanes), Narrow(), to + k * lanes);
   }
 
   friend RowPack operator+(const RowPack &a, const RowPack &b)

@@ -67,30 +67,34 @@ struct Mindlin {
     const V limit = cap(now.push);
     const V share = min(V(1.0), limit / max(size, V(tiny)));
     return {share * tried,
-            taken(old_force, now.old_radius, kept, k) +
-                slid(size, sqrt(dot(kept, kept)), limit, k)};
+            lost(dot(old_force, old_force),
+                 now.old_radius,
+                 dot(kept, kept),
+                 size,
+                 limit,
+                 radius)};
   }
 
 private:
-  /// Energy that a changing stiffness takes off the old force [J].
+  /// Work of sliding at the limit from the kept force on, what a limit below
+  /// the kept force takes, and what the radius takes off the old force [J]. A
+  /// contact that opens loses all the energy of the old force.
+  /// @param old2, kept2  squares of the forces [N2]
   template <class V>
-  V taken(const Triple<V> &old_force,
-          const V &old_radius,
-          const Triple<V> &kept,
-          const V &k) const
+  V lost(const V &old2,
+         const V &old_radius,
+         const V &kept2,
+         const V &size,
+         const V &limit,
+         const V &radius) const
   {
-    return V(0.5) *
-           (dot(old_force, old_force) / max(stiffness(old_radius), V(tiny)) -
-            dot(kept, kept) / max(k, V(tiny)));
-  }
-  /// Work of sliding at the limit, and what a limit below the kept force takes
-  /// [J].
-  template <class V>
-  static V slid(const V &size, const V &kept, const V &limit, const V &k)
-  {
-    const V beyond = max(kept - limit, V(0.0));
-    return (limit * max(size - limit, V(0.0)) + V(0.5) * beyond * beyond) /
-           max(k, V(tiny));
+    const auto open = radius <= V(0.0);
+    const V beyond = max(sqrt(kept2) - limit, V(0.0));
+    const V taken = old2 * (radius / max(old_radius, V(tiny))) - kept2;
+    const V force2 =
+        limit * max(size - limit, V(0.0)) + V(0.5) * (beyond * beyond + taken);
+    return select(open, V(0.5) * old2, force2) /
+           max(stiffness(select(open, old_radius, radius)), V(tiny));
   }
 };
 
