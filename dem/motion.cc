@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <dem/cell_laws.h>
 #include <dem/hill_mandel.h>
+#include <dem/kernel/kernel.h>
 #include <dem/measures.h>
 #include <dem/motion.h>
 #include <dem/stretch.h>
@@ -18,6 +19,10 @@ namespace tamp::dem
 {
 namespace
 {
+// Time steps between two looks at the stress: far below the time in which
+// grains swing.
+constexpr std::size_t steps_between_looks = 4;
+
 /// The first three numbers of a part of a row.
 template <class T>
 Vector3 head(const T *part)
@@ -39,32 +44,35 @@ public:
                double time_step) override;
   void write_cell() override;
   double time_step() const override;
-  Matrix3 stress() const override
-  {
-    return -totals_.moment / cell_.box.volume();
-  }
+  Matrix3 stress() const override { return -moment_ / cell_.box.volume(); }
   double unbalance() const override;
   double hill_mandel() const override;
   std::size_t steps() const override { return steps_; }
 
 private:
   void list_pairs();
+  void read_velocities();
+  void write_velocities();
   void half_kick(bool first);
-  void drift(const Matrix3 &box);
-  void renew_pairs(double affine_approach);
+  TimeStepSums first_drift();
+  void move_box(const Matrix3 &box);
+  void renew_pairs(double approach);
+  void book_work(const Matrix3 &log_stretch);
 
   UnitCell &cell_;
   double fraction_, rayleigh_;
+  const GrainLoops<T> &loops_;
   SweepLayout<T> layout_;
+  std::vector<MovingGrain> grains_;
   SweepTotals totals_;
-  std::vector<double> mass_;    // [kg]
-  std::vector<Vector3> listed_; // places when the pairs were listed
-  std::vector<Vector3> moved_;  // since then, less the motion of the box [m]
-  double damping_ = 0;          // beta_g [kg/s]
-  double spin_damping_ = 0;     // [kg m2/s]
-  double contact_damping_ = 0;  // beta of the contacts [-]
-  double plastic_loss_ = 0;     // of the listed contacts, booked already [J]
-  double step_ = 0;             // [s]
+  Matrix3 moment_ = Matrix3::Zero(); // when it was last looked at [N m]
+  std::vector<double> mass_;         // [kg]
+  std::vector<Vector3> listed_;      // places when the pairs were listed
+  double damping_ = 0;               // beta_g [kg/s]
+  double spin_damping_ = 0;          // [kg m2/s]
+  double contact_damping_ = 0;       // beta of the contacts [-]
+  double plastic_loss_ = 0; // of the listed contacts, booked already [J]
+  TimeStep step_{};
   Matrix3 step_stretch_ = Matrix3::Identity();
   Matrix3 step_back_ = Matrix3::Identity();
   Matrix3 listed_back_; // inverse of the box when the pairs were listed
@@ -79,9 +87,9 @@ MotionIn<T>::MotionIn(UnitCell &cell,
                       const Arithmetic &arithmetic)
     : cell_(cell), fraction_(settings.time_step_fraction),
       rayleigh_(std::numeric_limits<double>::infinity()),
-      layout_(cell, arithmetic.instruction_set), listed_(cell.place),
-      moved_(cell.size(), Vector3::Zero()), affine_{Matrix3::Identity(),
-                                                    Matrix3::Zero()}
+      loops_(kernel_of(arithmetic.instruction_set).loops<T>().grains),
+      layout_(cell, arithmetic.instruction_set), grains_(cell.size()),
+      listed_(cell.place), affine_{Matrix3::Identity(), Matrix3::Zero()}
 {
   cell_.velocity.resize(cell_.size(), Vector3::Zero());
   cell_.spin.resize(cell_.size(), Vector3::Zero());
@@ -108,6 +116,7 @@ MotionIn<T>::MotionIn(UnitCell &cell,
       contact_damping_ = std::max(contact_damping_, viscous->damping());
   list_pairs();
   totals_ = layout_.sweep(affine_, {Memory::frozen, true});
+  moment_ = totals_.moment;
 }
 
 /// The frequency is that of the stiffness around a grain: of its translation
@@ -138,7 +147,8 @@ void MotionIn<T>::list_pairs()
   listed_ = cell_.place;
   listed_back_ = cell_.box.h.inverse();
   affine_.stretch = Matrix3::Identity();
-  std::ranges::fill(moved_, Vector3::Zero());
+  for (MovingGrain &grain : grains_)
+    std::ranges::fill(grain.moved, 0.0);
   approached_ = 0;
 }
 
@@ -146,12 +156,52 @@ template <class T>
 void MotionIn<T>::write_cell()
 {
   const Matrix3 inverse = cell_.box.h.inverse();
-  for (std::size_t i = 0; i < moved_.size(); ++i)
-    cell_.place[i] = listed_[i] + inverse * moved_[i];
+  for (std::size_t i = 0; i < grains_.size(); ++i)
+    cell_.place[i] = listed_[i] + inverse * head(grains_[i].moved);
   layout_.read_memories(cell_);
   const double loss = plastic_loss(cell_);
   cell_.energy.plastic_dissipation += loss - plastic_loss_;
   plastic_loss_ = loss;
+}
+
+/// Lays out velocities, and what a step does to them, in rows.
+template <class T>
+void MotionIn<T>::read_velocities()
+{
+  const auto lay_out = [&](MovingGrain &grain,
+                           int at,
+                           const Vector3 &velocity,
+                           double inertia,
+                           double damping) {
+    const double a = 0.5 * step_.length * damping / inertia;
+    for (int k = at; k < at + 3; ++k) {
+      grain.velocity[k] = velocity[k - at];
+      grain.decay[k] = (1 - a) / (1 + a);
+      grain.gain[k] = step_.length / inertia / (1 + a);
+    }
+    grain.velocity[at + 3] = 0;
+    grain.decay[at + 3] = grain.gain[at + 3] = 1;
+  };
+  for (std::size_t i = 0; i < grains_.size(); ++i) {
+    const double r = cell_.radius[i];
+    lay_out(grains_[i], 0, cell_.velocity[i], mass_[i], damping_);
+    // Of radius x spin: its inertia is I / r^2.
+    lay_out(grains_[i],
+            4,
+            r * cell_.spin[i],
+            0.4 * mass_[i],
+            spin_damping_ / (r * r));
+    grains_[i].gain[3] = 1 / r;
+  }
+}
+
+template <class T>
+void MotionIn<T>::write_velocities()
+{
+  for (std::size_t i = 0; i < grains_.size(); ++i) {
+    cell_.velocity[i] = head(grains_[i].velocity);
+    cell_.spin[i] = head(grains_[i].velocity + 4) / cell_.radius[i];
+  }
 }
 
 /// Half a step of eqs (1) and (2). The first half is implicit in the velocity,
@@ -160,66 +210,66 @@ void MotionIn<T>::write_cell()
 template <class T>
 void MotionIn<T>::half_kick(bool first)
 {
-  const std::span<const GrainRow<T>> rows = layout_.rows();
-  const double half = 0.5 * step_;
+  const double half = 0.5 * step_.length;
   double heat = 0;
-  const auto kick = [&](Vector3 &velocity,
-                        const Vector3 &force,
-                        double inertia,
-                        double damping) {
-    const Vector3 before = velocity;
-    const double a = half * damping / inertia;
-    if (first)
-      velocity = (velocity + half / inertia * force) / (1 + a);
-    else
-      velocity = (1 - a) * velocity + half / inertia * force;
-    heat += 0.5 * damping * (first ? velocity : before).dot(velocity + before);
-  };
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const double r = cell_.radius[i];
-    kick(cell_.velocity[i], head(rows[i].force), mass_[i], damping_);
-    kick(cell_.spin[i],
-         r * head(rows[i].force + 4),
-         0.4 * mass_[i] * r * r,
-         spin_damping_);
-  }
+  for (std::size_t i = 0; i < grains_.size(); ++i)
+    for (int k : {0, 1, 2, 4, 5, 6}) {
+      const bool turning = k >= 4;
+      const double r = cell_.radius[i];
+      const double inertia = turning ? 0.4 * mass_[i] : mass_[i];
+      const double damping = turning ? spin_damping_ / (r * r) : damping_;
+      double &velocity = grains_[i].velocity[k];
+      const double before = velocity, a = half * damping / inertia;
+      const double push = half / inertia * double(layout_.rows()[i].force[k]);
+      velocity =
+          first ? (velocity + push) / (1 + a) : (1 - a) * velocity + push;
+      heat += 0.5 * damping * (first ? velocity : before) * (velocity + before);
+    }
   cell_.energy.damping_dissipation += heat * half;
 }
 
-/// Motions after a step; the box moves exactly.
+/// The drift after the first half kick: a step that leaves the velocities.
 template <class T>
-void MotionIn<T>::drift(const Matrix3 &box)
+TimeStepSums MotionIn<T>::first_drift()
+{
+  std::vector<MovingGrain> drifting = grains_;
+  for (MovingGrain &grain : drifting)
+    for (int k : {0, 1, 2, 4, 5, 6}) {
+      grain.decay[k] = 1;
+      grain.gain[k] = std::numeric_limits<double>::min();
+    }
+  const TimeStepSums sums = loops_.advance(
+      step_, layout_.rows().data(), drifting.data(), drifting.size());
+  for (std::size_t i = 0; i < grains_.size(); ++i)
+    std::copy_n(drifting[i].moved, 8, grains_[i].moved);
+  return sums;
+}
+
+template <class T>
+void MotionIn<T>::move_box(const Matrix3 &box)
 {
   cell_.box.h = box;
   affine_.stretch = box * listed_back_;
-  const std::span<GrainRow<T>> rows = layout_.rows();
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const Vector3 went = step_ * cell_.velocity[i];
-    const Vector3 turned = step_ * cell_.spin[i];
-    moved_[i] = step_stretch_ * moved_[i] + went;
-    const Vector3 relative = step_back_ * went;
-    for (int k = 0; k < 3; ++k) {
-      rows[i].moved[k] = T(moved_[i][k]);
-      rows[i].motion[k] = T(relative[k]);
-      rows[i].rotation[k] = T(turned[k]);
-      rows[i].motion[4 + k] = T(cell_.radius[i] * turned[k]);
-    }
-  }
 }
 
-/// A pair outside the list approaches by at most two drifts and the stretch of
-/// one reach.
+/// @param approach  of two grains in a step, at most [m]
 template <class T>
-void MotionIn<T>::renew_pairs(double affine_approach)
+void MotionIn<T>::renew_pairs(double approach)
 {
-  double fastest2 = 0;
-  for (const Vector3 &v : cell_.velocity)
-    fastest2 = std::max(fastest2, v.squaredNorm());
-  approached_ += 2 * step_ * std::sqrt(fastest2) + affine_approach;
+  approached_ += approach;
   if (approached_ <= layout_.gap())
     return;
   write_cell();
   list_pairs();
+}
+
+/// Books the work of the stress since it was last looked at.
+template <class T>
+void MotionIn<T>::book_work(const Matrix3 &log_stretch)
+{
+  cell_.energy.work -=
+      0.5 * ((moment_ + totals_.moment).array() * log_stretch.array()).sum();
+  moment_ = totals_.moment;
 }
 
 template <class T>
@@ -227,31 +277,49 @@ bool MotionIn<T>::advance(const Matrix3 &log_stretch,
                           std::size_t steps,
                           double time_step)
 {
-  step_ = time_step;
   const Matrix3 first_box = cell_.box.h;
   const Matrix3 part = log_stretch / double(steps);
   step_stretch_ = exponential(part);
   step_back_ = exponential(-part);
+  step_.length = time_step;
+  for (int k = 0; k < 9; ++k) {
+    step_.stretch[k] = step_stretch_(k / 3, k % 3);
+    step_.back[k] = step_back_(k / 3, k % 3);
+  }
   affine_.gradient = Matrix3::Identity() - step_back_;
   affine_.time = time_step;
+  read_velocities();
+  half_kick(true);
+  // A pair outside the list approaches by two drifts and the stretch of one
+  // reach.
   const double reach = 2 * cell_.largest_radius() + layout_.gap();
   const double affine_approach = 1.01 * largest_principal(part) * reach;
+  constexpr std::size_t exact_boxes = 64; // else the product of steps
   for (std::size_t step = 1; step <= steps; ++step) {
-    half_kick(true);
-    drift(exponential(log_stretch * (double(step) / double(steps))) *
-          first_box);
-    renew_pairs(affine_approach);
-    const Matrix3 before = totals_.moment;
-    totals_ = layout_.sweep(affine_, {Memory::written, true});
+    const TimeStepSums sums =
+        step == 1
+            ? first_drift()
+            : loops_.advance(
+                  step_, layout_.rows().data(), grains_.data(), grains_.size());
+    if (step > 1)
+      cell_.energy.damping_dissipation += sums.heat;
+    move_box(step % exact_boxes == 0 || step == steps
+                 ? exponential(log_stretch * (double(step) / double(steps))) *
+                       first_box
+                 : step_stretch_ * cell_.box.h);
+    renew_pairs(2 * time_step * std::sqrt(sums.fastest2) + affine_approach);
+    const bool look = step % steps_between_looks == 0 || step == steps;
+    totals_ = layout_.sweep(affine_, {Memory::written, look});
     cell_.energy.friction_dissipation += totals_.lost_work;
     cell_.energy.damping_dissipation += totals_.damped_work;
-    cell_.energy.work -=
-        0.5 * ((before + totals_.moment).array() * part.array()).sum();
-    half_kick(false);
+    if (look)
+      book_work(part * double((step - 1) % steps_between_looks + 1));
     ++steps_;
     if (!std::isfinite(totals_.normal_force) || totals_.too_deep)
       return false;
   }
+  half_kick(false);
+  write_velocities();
   return true;
 }
 

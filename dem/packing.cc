@@ -6,6 +6,8 @@
 #include <dem/unit_cell.h>
 #include <dem/value_check.h>
 
+#include <stdexcept>
+
 namespace tamp::dem
 {
 namespace
@@ -18,6 +20,10 @@ void PackingRequest::check() const
   sizes.check();
   material.check();
   contact.check();
+  if (contact.normal_law == NormalLaw::mdr)
+    throw std::invalid_argument(
+        "normal law mdr: cells do not let their grains grow yet, without which "
+        "the law locks up no more than others; use it for single contacts");
   if (others.size() > most_others)
     refuse("further kinds of grains", double(others.size()), "at most 254");
   double shares = 0;

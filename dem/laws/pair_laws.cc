@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <dem/laws/pair_laws.h>
 
+#include <stdexcept>
+
 namespace tamp::dem
 {
 namespace
 {
-AnyNormalLaw normal_law(const ContactModel &model, const PairMaterial &pair)
+// Pressure at yield over Y of a small contact.
+// Source: Zunker & Kamrin (2024), 1 + 1.75 exp(0).
+constexpr double small_contact = 2.75;
+
+AnyNormalLaw normal_law(const ContactModel &model,
+                        const GrainMaterial &first,
+                        const PairMaterial &pair)
 {
   const double modulus = pair.effective_modulus;
   const double pressure = pair.limiting_pressure;
@@ -19,6 +27,9 @@ AnyNormalLaw normal_law(const ContactModel &model, const PairMaterial &pair)
     return AdhesiveThorntonNing(modulus, pressure, adhesion);
   case NormalLaw::storakers:
     return Storakers(modulus, pressure);
+  case NormalLaw::mdr:
+    return Mdr(
+        first.youngs_modulus, first.poissons_ratio, pressure / small_contact);
   default:
     return ThorntonNing(modulus, pressure);
   }
@@ -69,7 +80,10 @@ PairLaws pair_laws(const ContactModel &model,
                    const GrainMaterial &second)
 {
   const PairMaterial pair = pair_material(first, second);
-  PairLaws laws{normal_law(model, pair),
+  if (model.normal_law == NormalLaw::mdr && first != second)
+    throw std::invalid_argument(
+        "normal law mdr: both grains of a contact must be of one material");
+  PairLaws laws{normal_law(model, first, pair),
                 tangential_law(model, pair),
                 {},
                 {},

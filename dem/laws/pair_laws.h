@@ -7,6 +7,7 @@
 #include <dem/laws/adhesive_thornton_ning.h>
 #include <dem/laws/hertz.h>
 #include <dem/laws/jkr.h>
+#include <dem/laws/mdr.h>
 #include <dem/laws/mindlin.h>
 #include <dem/laws/mindlin_deresiewicz.h>
 #include <dem/laws/rolling.h>
@@ -22,8 +23,8 @@ namespace tamp::dem
 {
 /// The list of normal laws, in the order of dem::NormalLaw. A new law is a new
 /// file and an entry here.
-using AnyNormalLaw =
-    std::variant<Hertz, ThorntonNing, Jkr, AdhesiveThorntonNing, Storakers>;
+using AnyNormalLaw = std::
+    variant<Hertz, ThorntonNing, Jkr, AdhesiveThorntonNing, Storakers, Mdr>;
 
 /// The list of tangential laws.
 using AnyTangentialLaw = std::
@@ -48,7 +49,10 @@ struct PairLaws {
   }
 };
 
-/// Under a normal law with adhesion, mindlin is AdhesiveMindlin.
+/// Under a normal law with adhesion, mindlin is AdhesiveMindlin. Mdr's yield
+/// stress Y is p_y / 2.75, p_y being the pressure at which its contacts yield
+/// when they are small. Both grains have the first material there: throws
+/// std::invalid_argument if the second is another.
 PairLaws pair_laws(const ContactModel &model,
                    const GrainMaterial &first,
                    const GrainMaterial &second);

@@ -108,6 +108,34 @@ UnitCell fcc_cell(double overlap, const ContactModel &contact)
   return cell;
 }
 
+std::vector<ContactModel> every_contact_model()
+{
+  std::vector<ContactModel> models;
+  for (NormalLaw normal : {NormalLaw::hertz,
+                           NormalLaw::thornton_ning,
+                           NormalLaw::jkr,
+                           NormalLaw::thornton_ning_jkr,
+                           NormalLaw::storakers})
+    for (TangentialLaw tangential : {TangentialLaw::none,
+                                     TangentialLaw::mindlin,
+                                     TangentialLaw::mindlin_deresiewicz})
+      for (RollingLaw rolling : {RollingLaw::none, RollingLaw::epsd})
+        models.push_back({.normal_law = normal,
+                          .tangential_law = tangential,
+                          .rolling_law = rolling,
+                          .work_of_adhesion = 5,
+                          .restitution_coefficient = 0.7});
+  return models;
+}
+
+void mix_species(UnitCell &cell)
+{
+  cell.materials = {{70e9, 0.3, 2650, 0.5e9}, {210e9, 0.28, 7800, 1.2e9}};
+  cell.species.resize(cell.size());
+  for (std::size_t i = 0; i < cell.size(); ++i)
+    cell.species[i] = i % 2;
+}
+
 Stretch uniaxial(double log_strain)
 {
   Stretch stretch = Stretch::Identity();

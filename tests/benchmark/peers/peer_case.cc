@@ -49,7 +49,7 @@ UnitCell read_cell(const std::string &file, double friction)
   if (!in)
     throw std::invalid_argument("cannot read the packing '" + file + "'");
   UnitCell cell;
-  cell.material = {youngs_modulus, poissons_ratio, density};
+  cell.materials = {{youngs_modulus, poissons_ratio, density}};
   cell.contact.normal_law = NormalLaw::hertz;
   cell.contact.tangential_law = TangentialLaw::mindlin;
   cell.contact.friction_coefficient = friction;
