@@ -11,8 +11,11 @@ namespace
 {
 // Order as in the enumerations of dem.
 const std::vector<std::string> distributions{"uniform", "normal", "lognormal"};
-const std::vector<std::string> normal_laws{"hertz", "thornton-ning"};
-const std::vector<std::string> tangential_laws{"none", "mindlin"};
+const std::vector<std::string> normal_laws{
+    "hertz", "thornton-ning", "jkr", "thornton-ning-jkr", "storakers", "mdr"};
+const std::vector<std::string> tangential_laws{
+    "none", "mindlin", "mindlin-deresiewicz"};
+const std::vector<std::string> rolling_laws{"none", "epsd"};
 const std::vector<std::string> methods{"quasi-static", "dynamics"};
 
 template <class Choice>
@@ -75,15 +78,24 @@ void declare_sizes(ParameterTable &table)
 void declare_contact(ParameterTable &table)
 {
   table.enter("Contact");
-  table.choice("Normal law",
-               "thornton-ning",
-               normal_laws,
-               "How grains push: elastic, or elastic and perfectly plastic");
-  table.choice("Tangential law",
-               "mindlin",
-               tangential_laws,
-               "How grains rub; none: no friction");
-  table.choice("Rolling law", "none", {"none"}, "How grains resist rolling");
+  table.choice(
+      "Normal law",
+      "thornton-ning",
+      normal_laws,
+      "How grains push: elastic (hertz; jkr with adhesion), elastic and "
+      "perfectly plastic (thornton-ning; thornton-ning-jkr with adhesion), "
+      "plastic (storakers), or at high relative density (mdr)");
+  table.choice(
+      "Tangential law",
+      "mindlin",
+      tangential_laws,
+      "How grains rub: none, stick or slide, or slip from the rim of the "
+      "contact inwards");
+  table.choice(
+      "Rolling law",
+      "none",
+      rolling_laws,
+      "How grains resist rolling and twisting: not, or by a spring that slips");
   table.quantity("Friction coefficient",
                  "0.3",
                  dimension::number,
@@ -93,8 +105,29 @@ void declare_contact(ParameterTable &table)
                  "0.5 GPa",
                  dimension::pressure,
                  positive,
-                 "p_y, where the pressure in a contact is cut off; "
-                 "thornton-ning only");
+                 "p_y, where the pressure in a contact is cut off; laws with "
+                 "plasticity only");
+  table.quantity(
+      "Work of adhesion",
+      "0 J/m2",
+      dimension::surface_energy,
+      not_negative,
+      "Gamma, of the interface: twice the surface energy of equal solids; "
+      "jkr and thornton-ning-jkr");
+  table.quantity(
+      "Rolling friction coefficient",
+      "0.1",
+      dimension::number,
+      not_negative,
+      "mu_r: largest rolling moment over reduced radius x normal force; "
+      "rolling law epsd");
+  table.quantity(
+      "Restitution coefficient",
+      "1",
+      dimension::number,
+      {0, 1, true, false},
+      "Of an elastic impact, by viscous damping in the contact; 1: none. "
+      "Felt by dynamics and impacts only");
   table.leave();
 }
 
@@ -237,8 +270,16 @@ void read_grains(const ParameterTable &table,
       chosen<dem::NormalLaw>(table, "Contact/Normal law", normal_laws);
   contact.tangential_law = chosen<dem::TangentialLaw>(
       table, "Contact/Tangential law", tangential_laws);
+  contact.rolling_law =
+      chosen<dem::RollingLaw>(table, "Contact/Rolling law", rolling_laws);
+  contact.work_of_adhesion = table.number("Contact/Work of adhesion");
+  contact.rolling_friction_coefficient =
+      table.number("Contact/Rolling friction coefficient");
+  contact.restitution_coefficient =
+      table.number("Contact/Restitution coefficient");
   contact.friction_coefficient = table.number("Contact/Friction coefficient");
-  packing.material.limiting_pressure = table.number("Contact/Limiting contact pressure");
+  packing.material.limiting_pressure =
+      table.number("Contact/Limiting contact pressure");
 
   packing.seed = static_cast<std::uint64_t>(table.whole("Packing/Seed"));
   packing.initial_relative_density =

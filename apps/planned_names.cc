@@ -8,16 +8,13 @@ namespace tamp::apps
 {
 namespace
 {
-constexpr std::array<std::string_view, 5> entries{
-    "Contact/Rolling friction coefficient",
-    "Contact/Work of adhesion",
+constexpr std::array<std::string_view, 3> entries{
     "Die/Punch friction coefficient",
     "Output/Checkpoint interval",
     "Packing/File"};
-constexpr std::array<std::string_view, 8> commands{"calibrate",
+constexpr std::array<std::string_view, 7> commands{"calibrate",
                                                    "check",
                                                    "compare",
-                                                   "contact",
                                                    "fit",
                                                    "inspect",
                                                    "pack",

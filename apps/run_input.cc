@@ -119,6 +119,7 @@ void check_grain_points(const ParameterTable &table,
 void declare_parameters(ParameterTable &table)
 {
   declare_grains(table);
+  declare_pair(table);
   declare_material(table);
   declare_path(table);
   declare_die(table);
@@ -129,11 +130,17 @@ RunInput read_input(const ParameterTable &table, Need need)
 {
   RunInput input;
   read_grains(table, input.material);
-  read_material(table, input.material);
-  if (need != Need::die)
-    read_path(table, input);
   read_output(table, input.output);
-  if (need != Need::probe)
+  const bool everything = need == Need::everything;
+  if (everything || need == Need::contact)
+    input.pair = read_pair(
+        table, input.material.packing.material, input.material.packing.contact);
+  if (need == Need::contact)
+    return input;
+  read_material(table, input.material);
+  if (everything || need == Need::probe)
+    read_path(table, input);
+  if (everything || need == Need::die)
     check_grain_points(
         table, input, read_die(table, input.material.kind, input.die));
   return input;
