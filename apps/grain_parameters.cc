@@ -75,9 +75,8 @@ void declare_sizes(ParameterTable &table)
   table.leave();
 }
 
-void declare_contact(ParameterTable &table)
+void declare_laws(ParameterTable &table)
 {
-  table.enter("Contact");
   table.choice(
       "Normal law",
       "thornton-ning",
@@ -96,6 +95,12 @@ void declare_contact(ParameterTable &table)
       "none",
       rolling_laws,
       "How grains resist rolling and twisting: not, or by a spring that slips");
+}
+
+void declare_contact(ParameterTable &table)
+{
+  table.enter("Contact");
+  declare_laws(table);
   table.quantity("Friction coefficient",
                  "0.3",
                  dimension::number,
@@ -224,6 +229,22 @@ void declare_cell(ParameterTable &table)
                  "Share of the critical damping of a mean grain; dynamics");
   table.leave();
 }
+
+void read_contact(const ParameterTable &table, dem::ContactModel &contact)
+{
+  contact.normal_law =
+      chosen<dem::NormalLaw>(table, "Contact/Normal law", normal_laws);
+  contact.tangential_law = chosen<dem::TangentialLaw>(
+      table, "Contact/Tangential law", tangential_laws);
+  contact.rolling_law =
+      chosen<dem::RollingLaw>(table, "Contact/Rolling law", rolling_laws);
+  contact.work_of_adhesion = table.number("Contact/Work of adhesion");
+  contact.rolling_friction_coefficient =
+      table.number("Contact/Rolling friction coefficient");
+  contact.restitution_coefficient =
+      table.number("Contact/Restitution coefficient");
+  contact.friction_coefficient = table.number("Contact/Friction coefficient");
+}
 } // namespace
 
 void declare_grains(ParameterTable &table)
@@ -265,19 +286,7 @@ void read_grains(const ParameterTable &table,
   packing.material.poissons_ratio = table.number("Grains/Poisson's ratio");
   packing.material.density = table.number("Grains/Density");
 
-  dem::ContactModel &contact = packing.contact;
-  contact.normal_law =
-      chosen<dem::NormalLaw>(table, "Contact/Normal law", normal_laws);
-  contact.tangential_law = chosen<dem::TangentialLaw>(
-      table, "Contact/Tangential law", tangential_laws);
-  contact.rolling_law =
-      chosen<dem::RollingLaw>(table, "Contact/Rolling law", rolling_laws);
-  contact.work_of_adhesion = table.number("Contact/Work of adhesion");
-  contact.rolling_friction_coefficient =
-      table.number("Contact/Rolling friction coefficient");
-  contact.restitution_coefficient =
-      table.number("Contact/Restitution coefficient");
-  contact.friction_coefficient = table.number("Contact/Friction coefficient");
+  read_contact(table, packing.contact);
   packing.material.limiting_pressure =
       table.number("Contact/Limiting contact pressure");
 
