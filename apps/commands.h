@@ -16,6 +16,8 @@ namespace tamp::apps
 int run_probe(const RunOptions &options);
 /// One pair of grains along a path or through an impact.
 int run_contact(const RunOptions &options);
+/// Packings of grains.
+int run_pack(const RunOptions &options);
 /// A compact in a die.
 int run_die(const RunOptions &options);
 /// Prints all parameters: "prm", "json" or "md".

@@ -284,11 +284,13 @@ void warn_of_loose_cells(RunSession &session)
 {
   const auto &material = session.input().material;
   if (material.kind == coupling::MaterialKind::unit_cell &&
-      material.packing.pressure < safe_start_pressure)
+      material.packing_files.empty() &&
+      material.packing.goal.target == dem::CompressionTarget::pressure &&
+      material.packing.goal.pressure < safe_start_pressure)
     session.warn(fmt::format(
         "Packing/Pressure = {:.3g} MPa: packings this loose may collapse in "
         "the first steps; 0.5 MPa or more is safe",
-        material.packing.pressure / 1e6));
+        material.packing.goal.pressure / 1e6));
 }
 
 RunEnd press(RunSession &session)

@@ -8,12 +8,10 @@ namespace tamp::apps
 {
 namespace
 {
-constexpr std::array<std::string_view, 3> entries{
-    "Die/Punch friction coefficient",
-    "Output/Checkpoint interval",
-    "Packing/File"};
-constexpr std::array<std::string_view, 7> commands{
-    "calibrate", "check", "compare", "fit", "inspect", "pack", "selftest"};
+constexpr std::array<std::string_view, 2> entries{
+    "Die/Punch friction coefficient", "Output/Checkpoint interval"};
+constexpr std::array<std::string_view, 6> commands{
+    "calibrate", "check", "compare", "fit", "inspect", "selftest"};
 } // namespace
 
 bool is_planned_entry(std::string_view path)

@@ -197,6 +197,31 @@ plot "../curve.csv" using (column("step")):(column("cell_updates[-]")) with step
 )"}};
 }
 
+std::vector<Plot> pack_plots()
+{
+  return {{"pressure_density",
+           R"(set title "Compression of the packing"
+set xlabel "relative density [-]"
+set ylabel "stress [MPa]"
+set logscale y
+set format y "%g"
+set key left top
+density = "relative_density[-]"
+mega(name) = column(name) > 0 ? column(name) / 1e6 : NaN
+plot "../curve.csv" using (column(density)):(mega("axial_stress[Pa]")) with points pointsize 0.5 title "axial", \
+     "" using (column(density)):(mega("lateral_stress[Pa]")) with points pointsize 0.5 title "lateral"
+)"},
+          {"coordination",
+           R"(set title "Coordination of the grains"
+set xlabel "relative density [-]"
+set ylabel "contacts per grain [-]"
+set key left top
+density = "relative_density[-]"
+plot "../curve.csv" using (column(density)):(column("coordination_number[-]")) with points pointsize 0.5 title "all grains", \
+     "" using (column(density)):(column("mechanical_coordination_number[-]")) with points pointsize 0.5 title "grains that carry load"
+)"}};
+}
+
 std::vector<Plot> probe_plots(bool unit_cell)
 {
   std::vector<Plot> plots{{"stress_strain",

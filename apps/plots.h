@@ -41,6 +41,9 @@ std::vector<Plot> die_plots(const std::vector<unsigned> &press_stages);
 /// Plots of ../curve.csv of a pair of grains.
 std::vector<Plot> contact_plots(bool impact);
 
+/// Plots of ../curve.csv of packings.
+std::vector<Plot> pack_plots();
+
 /// Plots of ../curve.csv of a probe.
 std::vector<Plot> probe_plots(bool unit_cell);
 } // namespace tamp::apps

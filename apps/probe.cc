@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <apps/cell_columns.h>
+#include <apps/cell_remarks.h>
 #include <apps/commands.h>
 #include <apps/curve_writer.h>
 #include <apps/interrupt.h>
@@ -142,14 +143,15 @@ private:
     };
     fem::PathEnd end = fem::PathEnd::finished;
     try {
-      end = path_.gradients.empty()
+      end = path_.increments.empty()
                 ? fem::drive_path(
                       *material_.points,
                       stages_,
                       [this](unsigned stage) { begin(stage); },
                       observe,
                       session_.input().stress_tolerance)
-                : replay(observe);
+                : fem::drive_increments(
+                      *material_.points, path_.increments, observe);
       if (end == fem::PathEnd::finished)
         return {};
     } catch (const Interrupted &) {
@@ -173,16 +175,6 @@ private:
                         strain_,
                         axial_ / 1e6,
                         lateral_ / 1e6)};
-  }
-
-  fem::PathEnd
-  replay(const std::function<void(const fem::PathRecord &)> &observe)
-  {
-    const GradientPath path = read_gradients(path_.gradients);
-    return path.relative ? fem::drive_increments(
-                               *material_.points, path.gradients, observe)
-                         : fem::drive_gradients(
-                               *material_.points, path.gradients, observe);
   }
 
   // A stage that ends at a share of the peak learns here what the peak is.
@@ -223,7 +215,7 @@ private:
     curve_.write(values);
     remember(record, strain, stress);
     if (material_.cells)
-      warn_beyond_pair_laws(session_, density_);
+      cell_remarks_.judge(material_.cells->cell(0), driving());
     report(record);
     if (step_ % session_.input().output.grain_interval == 0)
       write_grains();
@@ -260,7 +252,7 @@ private:
         fmt::format("step {:4d}  {:<12} strain {:.5f}  axial {:.4g} MPa  "
                     "lateral {:.4g} MPa  density {:.4f}",
                     record.step,
-                    stages_.empty() ? "csv" : stages_[record.stage].name,
+                    stages_[record.stage].name,
                     strain_,
                     axial_ / 1e6,
                     lateral_ / 1e6,
@@ -299,6 +291,7 @@ private:
   coupling::Material material_;
   CurveWriter curve_;
   SeriesWriter grains_;
+  CellRemarks cell_remarks_{session_};
   std::vector<fem::PathStage> stages_;
   unsigned step_ = 0;
   std::optional<unsigned> written_;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <fmt/format.h>
 #include <fstream>
 #include <optional>
@@ -127,6 +128,34 @@ void read_proportional(StageReader &reader, fem::PathStage &stage)
   compress_to(stage, yy, ratio * strain);
 }
 
+// Steps of a shear F_xz whose strain, half of it, keeps to the increment.
+void read_simple_shear(StageReader &reader, fem::PathStage &stage)
+{
+  reader.expect({"shear"});
+  reader.expect({"to"});
+  reader.expect({"strain"});
+  const double shear = -reader.quantity(dimension::number);
+  const auto steps = static_cast<unsigned>(std::max(
+      1., std::ceil(0.5 * std::abs(shear) / stage.maximum_increment - 1e-6)));
+  for (unsigned i = 1; i <= steps; ++i) {
+    stage.gradients.emplace_back(dealii::unit_symmetric_tensor<3>());
+    stage.gradients.back()[0][2] = shear * (1. * i / steps);
+  }
+}
+
+void read_constant_p_shear(StageReader &reader, fem::PathStage &stage)
+{
+  reader.expect({"shear"});
+  reader.expect({"to"});
+  reader.expect({"strain"});
+  compress_to(stage, xz, reader.quantity(dimension::number));
+  reader.expect({"at"});
+  reader.expect({"pressure"});
+  const double pressure = reader.quantity(dimension::pressure);
+  for (const unsigned component : {xx, yy, zz})
+    press_to(stage, component, pressure);
+}
+
 void read_components(StageReader &reader, fem::PathStage &stage)
 {
   do {
@@ -139,24 +168,27 @@ void read_components(StageReader &reader, fem::PathStage &stage)
   } while (!reader.done());
 }
 
+const std::vector<std::string> stage_kinds{"isotropic",
+                                           "uniaxial",
+                                           "unload",
+                                           "triaxial",
+                                           "proportional",
+                                           "shear",
+                                           "components",
+                                           "hold",
+                                           "csv",
+                                           "simple",
+                                           "constant-p"};
+
 ProbeStage read_stage(const std::string &text,
                       unsigned number,
                       const ProbeIncrements &increments)
 {
   StageReader reader(text, number);
   ProbeStage probe;
-  const std::vector<std::string> kinds{"isotropic",
-                                       "uniaxial",
-                                       "unload",
-                                       "triaxial",
-                                       "proportional",
-                                       "shear",
-                                       "components",
-                                       "hold",
-                                       "csv"};
-  const std::size_t kind = reader.expect(kinds);
+  const std::size_t kind = reader.expect(stage_kinds);
   fem::PathStage &stage = probe.stage;
-  stage = at_rest(kinds[kind], increments.loading);
+  stage = at_rest(stage_kinds[kind], increments.loading);
   switch (kind) {
   case 0:
     read_isotropic(reader, stage);
@@ -186,9 +218,14 @@ ProbeStage read_stage(const std::string &text,
     stage.minimum_steps = reader.whole();
     reader.expect({"steps", "step"});
     break;
+  case 8:
+    probe.file = reader.rest();
+    break;
+  case 9:
+    read_simple_shear(reader, stage);
+    break;
   default:
-    throw InputError(fmt::format(
-        "stage {} '{}': 'csv FILE' must be the only stage", number, text));
+    read_constant_p_shear(reader, stage);
   }
   reader.finish();
   return probe;
@@ -203,10 +240,6 @@ ProbePath parse_path(const std::string &stages,
   if (texts.empty())
     throw InputError("there is no stage; expected for example 'uniaxial to "
                      "strain 0.15; unload to 1 % of peak'");
-  if (texts.size() == 1 && texts[0].starts_with("csv ")) {
-    path.gradients = std::string(trimmed(texts[0].substr(4)));
-    return path;
-  }
   for (const std::string &text : texts)
     path.stages.push_back(read_stage(
         text, static_cast<unsigned>(path.stages.size() + 1), increments));
@@ -238,9 +271,11 @@ std::optional<GradientColumns> columns_of(const std::vector<std::string> &names)
     GradientColumns columns{.count = names.size(), .relative = prefix != "F_"};
     unsigned found = 0;
     for (unsigned i = 0; i < 9; ++i) {
-      const std::string name =
-          prefix + "xyz"[i / 3] + "xyz"[i % 3] + std::string("[-]");
-      const auto place = std::ranges::find(names, name);
+      const std::string name = prefix + "xyz"[i / 3] + "xyz"[i % 3];
+      const auto place =
+          std::ranges::find_if(names, [&](const std::string &column) {
+            return column == name || column == name + "[-]";
+          });
       if (place != names.end()) {
         columns.place[i] =
             static_cast<std::size_t>(std::distance(names.begin(), place));
@@ -309,5 +344,23 @@ GradientPath read_gradients(const std::filesystem::path &file)
     throw InputError(file.string() + ": there is no deformation gradient");
   path.relative = columns.relative;
   return path;
+}
+
+void read_files(ProbePath &path, const std::filesystem::path &folder)
+{
+  for (ProbeStage &probe : path.stages) {
+    if (probe.file.empty())
+      continue;
+    probe.file = folder / probe.file;
+    GradientPath read = read_gradients(probe.file);
+    if (read.relative && path.stages.size() == 1) {
+      path.increments = std::move(read.gradients);
+      continue;
+    }
+    if (read.relative)
+      for (std::size_t i = 1; i < read.gradients.size(); ++i)
+        read.gradients[i] = read.gradients[i] * read.gradients[i - 1];
+    probe.stage.gradients = std::move(read.gradients);
+  }
 }
 } // namespace tamp::apps

@@ -16,13 +16,16 @@ namespace tamp::apps
 /// axial stress has fallen to this share of the largest one so far.
 struct ProbeStage {
   fem::PathStage stage;
-  double peak_share = 0; ///< [-]; 0: not used
+  double peak_share = 0;      ///< [-]; 0: not used
+  std::filesystem::path file; ///< with the gradients of the stage; or empty
 };
 
-/// What a probe does: stages, or deformation gradients read from a file.
+/// What a probe does.
 struct ProbePath {
   std::vector<ProbeStage> stages;
-  std::filesystem::path gradients;
+  /// If there are any, the point takes these instead of its only stage, to the
+  /// last bit: F of each increment since the one before.
+  std::vector<dealii::Tensor<2, 3>> increments;
 };
 
 /// Largest strains of an increment [-].
@@ -37,13 +40,22 @@ struct ProbeIncrements {
 ///   unload to strain E | to stress S | to R % of peak
 ///   triaxial to strain E at pressure P
 ///   proportional K to strain E      (lateral strain = K x axial strain)
-///   shear to strain E               (strain_xz, all others at rest)
+///   shear to strain E               (pure: strain_xz, all others at rest)
+///   simple shear to strain G        (F_xz = -G since the start of the stage)
+///   constant-p shear to strain E at pressure P
+///                                   (strain_xz; stress_xx, yy and zz are P)
 ///   components xx strain E yy stress S ...   (those not named rest)
 ///   hold N steps
-///   csv FILE                        (F of every increment, alone)
+///   csv FILE                        (F of every increment since the start of
+///   the
+///                                   stage)
 /// Throws InputError naming the stage and the word.
 ProbePath parse_path(const std::string &stages,
                      const ProbeIncrements &increments);
+
+/// Reads the files of all stages; their names count from `folder`. Throws
+/// InputError naming file and line.
+void read_files(ProbePath &path, const std::filesystem::path &folder);
 
 /// A path of deformation gradients.
 struct GradientPath {
@@ -52,9 +64,9 @@ struct GradientPath {
 };
 
 /// Reads a CSV file with columns F_xx[-], F_xy[-] ... F_zz[-], or
-/// relative_F_xx[-] ... such as a die writes of its points, among others;
-/// without a header nine numbers a line. Lines that start with # are skipped.
-/// Throws InputError naming file and line.
+/// relative_F_xx[-] ... such as a die writes of its points, among others such
+/// as a time, with or without the unit; without a header nine numbers a line.
+/// Lines that start with # are skipped. Throws InputError naming file and line.
 GradientPath read_gradients(const std::filesystem::path &file);
 } // namespace tamp::apps
 

@@ -8,7 +8,9 @@
 #include <ctime>
 #include <fmt/format.h>
 #include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 namespace tamp::apps
 {
@@ -16,8 +18,9 @@ namespace
 {
 namespace fs = std::filesystem;
 
-// What runs write; nothing else in a folder is ever removed. The mark of a run
-// goes last: what could not be removed can be, next time.
+// What runs write; nothing else in a folder is ever removed, but for packings,
+// see is_packing(). The mark of a run goes last: what could not be removed can
+// be, next time.
 constexpr const char *own_names[] = {"input.prm",
                                      "log.txt",
                                      "curve.csv",
@@ -29,6 +32,26 @@ constexpr const char *own_names[] = {"input.prm",
                                      "summary.txt",
                                      "checkpoint",
                                      "run.json"};
+
+// packing.h5, packing_0001.txt, grains_0001.vtp ...
+bool is_packing(const std::string &name)
+{
+  static const std::regex pattern(
+      R"((packing(_\d{4,})?\.(h5|txt)|grains(_\d{4,})?\.vtp))");
+  return std::regex_match(name, pattern);
+}
+
+// Names of what an earlier run may have left in a folder.
+std::vector<std::string> results_in(const fs::path &folder)
+{
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const auto &entry : fs::directory_iterator(folder, error))
+    if (const std::string name = entry.path().filename(); is_packing(name))
+      names.push_back(name);
+  names.insert(names.end(), std::begin(own_names), std::end(own_names));
+  return names;
+}
 
 double cpu_seconds()
 {
@@ -92,7 +115,7 @@ void check_removal(const fs::path &folder, const std::vector<fs::path> &needed)
         "Nothing was changed; choose another folder with --output",
         folder.string()));
   for (const fs::path &file : needed)
-    for (const char *name : own_names)
+    for (const std::string &name : results_in(folder))
       if (inside(file, folder / name))
         throw InputError(fmt::format(
             "--force would remove '{}', which this run reads. Nothing was "
@@ -102,7 +125,7 @@ void check_removal(const fs::path &folder, const std::vector<fs::path> &needed)
 
 void remove_results(const fs::path &folder)
 {
-  for (const char *name : own_names) {
+  for (const std::string &name : results_in(folder)) {
     std::error_code error;
     fs::remove_all(folder / name, error);
     if (error)

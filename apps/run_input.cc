@@ -5,6 +5,10 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace tamp::apps
 {
@@ -18,9 +22,11 @@ void declare_path(ParameterTable &table)
              "Divided by semicolons, compression positive, axis z: isotropic "
              "to strain E or pressure P; uniaxial to strain E or stress S; "
              "unload to strain E, stress S or R % of peak; triaxial to strain "
-             "E at pressure P; proportional K to strain E; shear to strain E; "
-             "components xx strain E yy stress S ...; hold N steps; or csv "
-             "FILE alone with F of every increment. Strains are logarithmic");
+             "E at pressure P; proportional K to strain E; pure shear "
+             "'shear to strain E'; simple shear to strain G; constant-p shear "
+             "to strain E at pressure P; components xx strain E yy stress S "
+             "...; hold N steps; csv FILE with F of every increment. Strains "
+             "are logarithmic");
   table.quantity("Maximum strain increment",
                  "5e-3",
                  dimension::number,
@@ -64,19 +70,9 @@ void read_path(const ParameterTable &table, RunInput &input)
     input.path = parse_path(table.word(path),
                             {table.number("Path/Maximum strain increment"),
                              table.number("Path/Maximum unloading increment")});
+    read_files(input.path, table.folder(path));
   } catch (const InputError &error) {
     table.complain(path, error.what());
-  }
-  auto &gradients = input.path.gradients;
-  if (!gradients.empty()) {
-    gradients = table.folder(path) / gradients;
-    if (!std::filesystem::is_regular_file(gradients))
-      table.complain(path, "there is no file '" + gradients.string() + "'");
-    try {
-      read_gradients(gradients);
-    } catch (const InputError &error) {
-      table.complain(path, error.what());
-    }
   }
   input.stress_tolerance = table.number("Path/Stress tolerance");
 }
@@ -96,6 +92,54 @@ void read_output(const ParameterTable &table, OutputSettings &output)
   const auto repeated = std::ranges::unique(output.grain_points);
   output.grain_points.erase(repeated.begin(), repeated.end());
   output.plot_formats = table.words("Output/Plot format");
+}
+
+// What only the packing itself can judge, such as its cell's width.
+void check_packing(const ParameterTable &table,
+                   const coupling::MaterialChoice &material)
+{
+  if (!material.packing_files.empty())
+    return;
+  try {
+    material.packing.check();
+  } catch (const std::invalid_argument &error) {
+    const std::string problem = error.what();
+    for (const auto &[begin, path] :
+         {std::pair("grain count", "Grains/Count"),
+          std::pair("edge ratio", "Packing/Cell shape"),
+          std::pair("relative density of", "Packing/Relative density")})
+      if (problem.starts_with(begin))
+        table.complain(path, problem);
+    throw InputError(problem);
+  }
+}
+
+void read_replicas(const ParameterTable &table, Need need, RunInput &input)
+{
+  input.replicas = static_cast<std::size_t>(table.whole("Packing/Replicas"));
+  const std::size_t starts = input.material.packing_files.size();
+  if (need == Need::pack && starts > 0 && input.replicas > starts)
+    table.complain("Packing/Replicas",
+                   fmt::format("packings of a file are the same every time; "
+                               "expected at most as many as Packing/File "
+                               "names, {}",
+                               starts));
+}
+
+std::vector<std::filesystem::path> files_of(const ParameterTable &table,
+                                            const RunInput &input)
+{
+  std::vector<std::filesystem::path> files = input.material.packing_files;
+  for (const ProbeStage &stage : input.path.stages)
+    if (!stage.file.empty())
+      files.push_back(stage.file);
+  if (!input.die.geometry.mesh_file.empty())
+    files.emplace_back(input.die.geometry.mesh_file);
+  for (const std::string section : {"Grains/", "Grains/Second species/"})
+    if (const std::string path = section + "Size table";
+        !table.word(path).empty())
+      files.push_back(table.folder(path) / table.word(path));
+  return files;
 }
 
 void check_grain_points(const ParameterTable &table,
@@ -130,19 +174,24 @@ RunInput read_input(const ParameterTable &table, Need need)
 {
   RunInput input;
   read_grains(table, input.material);
-  read_output(table, input.output);
   const bool everything = need == Need::everything;
+  read_output(table, input.output);
   if (everything || need == Need::contact)
     input.pair = read_pair(
         table, input.material.packing.material, input.material.packing.contact);
   if (need == Need::contact)
     return input;
   read_material(table, input.material);
+  if (need == Need::pack ||
+      input.material.kind == coupling::MaterialKind::unit_cell)
+    check_packing(table, input.material);
   if (everything || need == Need::probe)
     read_path(table, input);
   if (everything || need == Need::die)
     check_grain_points(
         table, input, read_die(table, input.material.kind, input.die));
+  read_replicas(table, need, input);
+  input.files = files_of(table, input);
   return input;
 }
 } // namespace tamp::apps

@@ -7,6 +7,7 @@
 #include <coupling/material_factory.h>
 #include <fem/die_settings.h>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,9 @@ struct RunInput {
   fem::DieSettings die;
   PairInput pair;
   OutputSettings output;
+  std::size_t replicas = 1; ///< packings that tamp pack makes
+  /// Files that the run reads besides the input.
+  std::vector<std::filesystem::path> files;
 };
 
 /// Declares every parameter of the program.
@@ -40,7 +44,7 @@ void declare_parameters(ParameterTable &table);
 
 /// Which part of the input a command needs: the other parts may be left as they
 /// are, even if they do not fit the material.
-enum class Need { everything, probe, die, contact };
+enum class Need { everything, probe, die, pack, contact };
 
 /// Turns values into settings. Throws InputError where values do not fit
 /// together, or where a file that they name is missing.

@@ -24,6 +24,32 @@ void warn_of_contact_model(RunSession &session)
                  "without adhesion");
 }
 
+std::string packing_title(const coupling::MaterialChoice &choice,
+                          std::size_t count)
+{
+  if (!choice.packing_files.empty())
+    return fmt::format("reading {} packings", count);
+  const dem::CompressionGoal &goal = choice.packing.goal;
+  return fmt::format(
+      "packing {} x {} grains to {}",
+      count,
+      choice.packing.grain_count,
+      goal.target == dem::CompressionTarget::pressure
+          ? fmt::format("{:.4g} MPa", goal.pressure / 1e6)
+          : fmt::format("a relative density of {:.4g}", goal.relative_density));
+}
+
+void warn_of_history(RunSession &session, coupling::History history)
+{
+  if (history == coupling::History::slipped)
+    session.warn("the stored packing was made with another friction "
+                 "coefficient; contacts slipped where they had to");
+  if (history == coupling::History::forgotten)
+    session.warn("the stored packing has no contact history, or one of other "
+                 "grains or contact laws: contacts begin with the overlaps "
+                 "that they have, and the pressure may be another");
+}
+
 coupling::Material prepare_material(RunSession &session, std::size_t count)
 {
   const coupling::MaterialChoice &choice = session.input().material;
@@ -31,10 +57,7 @@ coupling::Material prepare_material(RunSession &session, std::size_t count)
   const bool cells = choice.kind == coupling::MaterialKind::unit_cell;
   if (cells) {
     warn_of_contact_model(session);
-    log.begin(fmt::format("packing {} x {} grains to {:.4g} MPa",
-                          choice.same_packing ? 1 : count,
-                          choice.packing.grain_count,
-                          choice.packing.pressure / 1e6));
+    log.begin(packing_title(choice, choice.same_packing ? 1 : count));
   }
   try {
     auto material =
@@ -47,9 +70,12 @@ coupling::Material prepare_material(RunSession &session, std::size_t count)
     log.end();
     if (cells)
       session.result("time_packing[s]", log.progress().elapsed());
+    warn_of_history(session, material.history);
     return material;
   } catch (const std::invalid_argument &) {
     throw;
+  } catch (const coupling::FileError &error) {
+    throw OutputError(error.what());
   } catch (const std::runtime_error &error) {
     throw PackingError(error.what());
   }

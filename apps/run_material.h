@@ -5,6 +5,9 @@
 #include <apps/run_session.h>
 #include <coupling/material_factory.h>
 
+#include <stdexcept>
+#include <string>
+
 namespace tamp::apps
 {
 /// A packing that does not jam: the program ends with exit code 3.
@@ -16,6 +19,13 @@ class PackingError : public std::runtime_error
 /// Makes the material points of a run, and shows how far packing is. Throws
 /// PackingError if grains do not jam.
 coupling::Material prepare_material(RunSession &session, std::size_t count);
+
+/// "packing 3 x 1000 grains to 0.1 MPa", for the title of that work.
+std::string packing_title(const coupling::MaterialChoice &choice,
+                          std::size_t count);
+
+/// Warns if stored packings are not as they were stored.
+void warn_of_history(RunSession &session, coupling::History history);
 
 /// Warns, once a run, if cells are denser than where forces may be computed
 /// contact by contact.

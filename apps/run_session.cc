@@ -29,18 +29,6 @@ unsigned checked_threads(const std::optional<int> &wanted)
   return static_cast<unsigned>(*wanted);
 }
 
-// Every file that the run reads.
-std::vector<std::filesystem::path> files_of(const RunOptions &options,
-                                            const RunInput &input)
-{
-  std::vector<std::filesystem::path> files{options.input};
-  if (!input.path.gradients.empty())
-    files.push_back(input.path.gradients);
-  if (!input.die.geometry.mesh_file.empty())
-    files.emplace_back(input.die.geometry.mesh_file);
-  return files;
-}
-
 bool about_output(const std::exception &error)
 {
   return dynamic_cast<const OutputError *>(&error) ||
@@ -114,8 +102,9 @@ RunSession::RunSession(const std::string &command,
 
   const auto path = options.output.empty() ? "results" / options.input.stem()
                                            : options.output;
-  folder_ = std::make_unique<RunFolder>(
-      path, options.force, files_of(options, input_));
+  std::vector<std::filesystem::path> needed = input_.files;
+  needed.push_back(options.input);
+  folder_ = std::make_unique<RunFolder>(path, options.force, needed);
   folder_->write("input.prm",
                  fmt::format("# All parameters of this run in SI, tamp {}.\n{}",
                              build_facts().version,

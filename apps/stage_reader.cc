@@ -118,6 +118,18 @@ unsigned StageReader::whole()
   return static_cast<unsigned>(value);
 }
 
+std::string StageReader::rest()
+{
+  if (done())
+    fail("the name of a file");
+  // As it was written: a name may hold blanks and commas.
+  std::size_t place = 0;
+  for (std::size_t i = 0; i < next_; ++i)
+    place = stage_.find(words_[i], place) + words_[i].size();
+  next_ = words_.size();
+  return std::string(trimmed(std::string_view(stage_).substr(place)));
+}
+
 void StageReader::finish() const
 {
   if (!done())

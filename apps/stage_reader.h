@@ -31,6 +31,8 @@ public:
   /// Takes a number with any unit or none.
   Quantity any_quantity();
   unsigned whole();
+  /// Takes all that is left as one text, a name of a file; must not be empty.
+  std::string rest();
   bool done() const { return next_ == words_.size(); }
   /// Throws if words are left.
   void finish() const;

@@ -162,6 +162,10 @@ int run(int argc, char **argv)
   add_run_options(*probe, options);
   probe->callback([&] { code = alone() ? run_probe(options) : exit_done; });
 
+  CLI::App *pack = app.add_subcommand("pack", "Make packings of grains");
+  add_run_options(*pack, options);
+  pack->callback([&] { code = alone() ? run_pack(options) : exit_done; });
+
   CLI::App *contact = app.add_subcommand(
       "contact", "Take a pair of grains along a path or through an impact");
   add_run_options(*contact, options);

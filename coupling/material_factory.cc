@@ -9,6 +9,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace tamp::coupling
 {
@@ -75,27 +76,46 @@ Material make_cap(const CapChoice &choice, std::size_t count)
           nullptr};
 }
 
+StoredPackings find_packings(const MaterialChoice &choice,
+                             std::size_t count,
+                             const std::function<void(std::size_t)> &progress)
+{
+  if (choice.packing_files.empty()) {
+    choice.packing.check();
+    return {make_packings(choice.packing,
+                          count,
+                          choice.same_packing,
+                          choice.threads,
+                          progress,
+                          choice.first_packing),
+            History::kept};
+  }
+  return read_packings(
+      choice.same_packing
+          ? std::vector{choice.packing_files[choice.first_packing %
+                                             choice.packing_files.size()]}
+          : choice.packing_files,
+      choice.packing,
+      count,
+      choice.first_packing);
+}
+
 Material make_cells(const MaterialChoice &choice,
                     std::size_t count,
                     const std::function<void(std::size_t)> &progress)
 {
-  choice.packing.check();
   choice.driving.check();
   CellPointsOptions options;
   options.driving = choice.driving;
   options.threads = choice.threads;
   options.warm = choice.warm;
+  StoredPackings packings = find_packings(choice, count, progress);
   auto points =
-      std::make_unique<UnitCellPoints>(make_packings(choice.packing,
-                                                     count,
-                                                     choice.same_packing,
-                                                     choice.threads,
-                                                     progress,
-                                                     choice.first_packing),
-                                       options);
+      std::make_unique<UnitCellPoints>(std::move(packings.cells), options);
   Material material;
   material.cells = points.get();
   material.points = std::move(points);
+  material.history = packings.history;
   return material;
 }
 } // namespace

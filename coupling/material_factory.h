@@ -2,11 +2,13 @@
 #ifndef coupling_material_factory_h
 #define coupling_material_factory_h
 
+#include <coupling/packing_file.h>
 #include <dem/deform.h>
 #include <dem/packing.h>
 #include <fem/material_points.h>
 
 #include <cstddef>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <vector>
@@ -46,7 +48,9 @@ struct CapChoice {
 /// the other materials are not used.
 struct MaterialChoice {
   MaterialKind kind = MaterialKind::unit_cell;
-  dem::PackingRequest packing;   ///< its seed is that of the run
+  dem::PackingRequest packing; ///< its seed is that of the run
+  /// Stored packings that points take in turn; empty: `packing` is made.
+  std::vector<std::filesystem::path> packing_files;
   bool same_packing = false;     ///< all points start from the first packing
   std::size_t first_packing = 0; ///< of the run's packings, that of point 0
   dem::Driving driving;
@@ -61,12 +65,14 @@ struct MaterialChoice {
 struct Material {
   std::unique_ptr<fem::MaterialPoints> points;
   UnitCellPoints *cells = nullptr;
+  History history = History::kept; ///< of stored packings
 };
 
 /// Makes `count` points; the only place where all materials are known.
 /// `progress` is told how many packings are ready (from one thread at a time).
 /// Throws std::invalid_argument if a value is not physical and
-/// std::runtime_error if a packing does not jam.
+/// std::runtime_error if a packing does not jam; what else read_packing()
+/// throws.
 Material make_material(const MaterialChoice &choice,
                        std::size_t count,
                        const std::function<void(std::size_t)> &progress = {});

@@ -3,8 +3,10 @@
 #include <coupling/work_sharing.h>
 #include <dem/random_numbers.h>
 
+#include <algorithm>
 #include <mutex>
 #include <numeric>
+#include <stdexcept>
 
 namespace tamp::coupling
 {
@@ -22,9 +24,7 @@ make_packings(const dem::PackingRequest &request,
   std::mutex reporting;
   std::size_t done = 0;
   share_work(order, threads, [&](std::size_t i) {
-    dem::PackingRequest mine = request;
-    mine.seed = dem::seed_of(request.seed, first + i);
-    cells[i] = dem::make_packing(mine);
+    cells[i] = dem::make_packing(sample_of(request, first + i));
     const std::lock_guard lock(reporting);
     ++done;
     if (made)
@@ -33,5 +33,48 @@ make_packings(const dem::PackingRequest &request,
   if (same && count > 0)
     cells.resize(count, cells[0]);
   return cells;
+}
+
+dem::PackingRequest sample_of(const dem::PackingRequest &request,
+                              std::size_t number)
+{
+  dem::PackingRequest sample = request;
+  sample.seed = dem::seed_of(request.seed, number);
+  return sample;
+}
+
+std::vector<dem::GrainMaterial> materials_of(const dem::PackingRequest &request)
+{
+  std::vector<dem::GrainMaterial> materials{request.material};
+  for (const dem::GrainPopulation &other : request.others)
+    materials.push_back(other.material);
+  return materials;
+}
+
+StoredPackings read_packings(const std::vector<std::filesystem::path> &files,
+                             const dem::PackingRequest &request,
+                             std::size_t count,
+                             std::size_t first)
+{
+  StoredPackings stored;
+  const auto materials = materials_of(request);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i >= files.size()) { // the files again
+      stored.cells.push_back(stored.cells[i - files.size()]);
+      continue;
+    }
+    const auto &file = files[(first + i) % files.size()];
+    stored.cells.push_back(read_packing(file));
+    try {
+      stored.history = std::max(
+          stored.history,
+          adopt_packing(stored.cells.back(), materials, request.contact));
+    } catch (const std::invalid_argument &error) {
+      throw std::invalid_argument(file.string() + ": " + error.what());
+    } catch (const std::runtime_error &error) {
+      throw std::runtime_error(file.string() + ": " + error.what());
+    }
+  }
+  return stored;
 }
 } // namespace tamp::coupling

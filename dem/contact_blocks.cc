@@ -87,7 +87,6 @@ void ContactBlocks<T>::lay_out(const CellLaws &laws,
                                std::span<const ContactMemory> memories,
                                std::span<const double> more)
 {
-  constexpr std::size_t lanes = ContactBlock<T>::lanes;
   size_ = pairs.size();
   more_rows_ = laws.more();
   groups_ = count_kinds<Group>(laws, pairs, lanes);
@@ -95,7 +94,7 @@ void ContactBlocks<T>::lay_out(const CellLaws &laws,
   for (const Group &group : groups_)
     for (std::size_t b = 0; b < group.blocks; ++b)
       clear(blocks_[group.first_block + b]);
-  more_.assign(blocks_.size() * more_rows_ * lanes, T(0));
+  more_.assign(blocks_.size() * more_rows_, {});
 
   std::vector<std::size_t> written(groups_.size(), 0);
   std::size_t memory = 0;
@@ -118,8 +117,7 @@ void ContactBlocks<T>::lay_out(const CellLaws &laws,
     block.largest_overlap[lane] = T(known.largest_overlap);
     block.contact_radius[lane] = T(known.contact_radius);
     for (std::size_t m = 0; m < more_rows_; ++m)
-      more_[(b * more_rows_ + m) * lanes + lane] =
-          T(more[memory * more_rows_ + m]);
+      more_[b * more_rows_ + m].lane[lane] = T(more[memory * more_rows_ + m]);
   }
 }
 
@@ -127,7 +125,6 @@ template <class T>
 void ContactBlocks<T>::read_memories(std::vector<ContactMemory> &memories,
                                      std::vector<double> &more) const
 {
-  constexpr std::size_t lanes = ContactBlock<T>::lanes;
   memories.clear();
   more.clear();
   for (const Group &group : groups_)
@@ -144,7 +141,7 @@ void ContactBlocks<T>::read_memories(std::vector<ContactMemory> &memories,
                           double(block.largest_overlap[lane]),
                           double(block.contact_radius[lane])});
       for (std::size_t m = 0; m < more_rows_; ++m)
-        more.push_back(double(more_[(b * more_rows_ + m) * lanes + lane]));
+        more.push_back(double(more_[b * more_rows_ + m].lane[lane]));
     }
   if (groups_.size() > 1)
     sort_memories(memories, more, more_rows_);

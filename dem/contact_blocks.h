@@ -44,12 +44,28 @@ public:
   std::span<ContactBlock<T>> blocks() { return blocks_; }
   std::span<const ContactBlock<T>> blocks() const { return blocks_; }
   /// The laws' own numbers: of each block, more_per_contact() rows of lanes.
-  std::span<T> more() { return more_; }
-  std::span<const T> more() const { return more_; }
+  std::span<T> more()
+  {
+    if (more_.empty())
+      return {};
+    return {more_.front().lane, more_.size() * lanes};
+  }
+  std::span<const T> more() const
+  {
+    if (more_.empty())
+      return {};
+    return {more_.front().lane, more_.size() * lanes};
+  }
   std::size_t more_per_contact() const { return more_rows_; }
   std::size_t size() const { return size_; }
 
 private:
+  static constexpr std::size_t lanes = ContactBlock<T>::lanes;
+  /// A number of every contact of a block, aligned for the widest register.
+  struct alignas(64) MoreRow {
+    T lane[lanes] = {};
+  };
+
   void write(const NearPair &pair,
              std::span<const double> radius,
              std::size_t block,
@@ -57,7 +73,7 @@ private:
 
   std::vector<Group> groups_;
   std::vector<ContactBlock<T>> blocks_;
-  std::vector<T> more_;
+  std::vector<MoreRow> more_;
   std::size_t more_rows_ = 0, size_ = 0;
 };
 } // namespace tamp::dem

@@ -2,6 +2,7 @@
 #include <dem/deform.h>
 #include <dem/dynamics.h>
 #include <dem/quasi_static.h>
+#include <dem/relattice.h>
 #include <dem/unit_cell.h>
 #include <dem/value_check.h>
 
@@ -26,6 +27,7 @@ CellAnswer deform(UnitCell &cell,
                   const Driving &driving,
                   WarmGuess *guess)
 {
+  relattice(cell);
   return driving.method == Method::quasi_static
              ? deform_quasi_static(cell,
                                    stretch,

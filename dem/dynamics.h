@@ -3,25 +3,19 @@
 #define dem_dynamics_h
 
 #include <dem/deform.h>
-#include <dem/grain_material.h>
 
 namespace tamp::dem
 {
 /// Damped motion of the grains in a cell that deforms at a constant rate of
 /// stretching, as in Sheng et al. (2004), eqs (1) and (2), by leapfrog. Contact
-/// memory is written every step. Velocities stay in the cell, so a path may be
-/// driven in pieces. `unsettled` if the unbalance at the end is above 1e-2.
-/// Arguments as those of deform().
+/// memory is written every step, and work and losses are booked every step.
+/// Velocities stay in the cell, so a path may be driven in pieces. The time
+/// step follows the stiffness of the contacts every 1e-3 of strain. `unsettled`
+/// if the unbalance at the end is above 1e-2. Arguments as those of deform().
 CellAnswer deform_by_dynamics(UnitCell &cell,
                               const Stretch &stretch,
                               const Dynamics &settings,
                               const Arithmetic &arithmetic = {});
-
-/// Rayleigh time step pi R_min / alpha sqrt(rho / G) [s], with
-/// alpha = 0.1631 nu + 0.876605. Source: Sheng et al. (2004), eqs (3)-(6).
-double rayleigh_time_step(const GrainMaterial &material,
-                          double smallest_radius,
-                          double density_scaling);
 
 /// The numbers by which a dynamic run is judged.
 struct DynamicMeasures {

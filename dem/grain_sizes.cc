@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <dem/grain_sizes.h>
 #include <dem/random_numbers.h>
+#include <dem/size_table.h>
 #include <dem/value_check.h>
 
 #include <cmath>
@@ -42,10 +43,36 @@ std::function<double(double)> cumulative(const GrainSizes &sizes)
     return normal_share((std::log(d / m) + v / 2) / std::sqrt(v));
   };
 }
+
+/// The diameter below which `part` of a `whole` number of grains lie.
+using Quantile = std::function<double(double part, double whole)>;
+
+Quantile quantiles(const GrainSizes &sizes)
+{
+  if (sizes.distribution == SizeDistribution::table)
+    return [table = SizeTable(sizes.table, sizes.basis)](double part,
+                                                         double whole) {
+      return table.quantile(part / whole);
+    };
+  const double low = sizes.minimum_diameter, high = sizes.maximum_diameter;
+  if (sizes.distribution == SizeDistribution::uniform || low == high)
+    return [low, high](double part, double whole) {
+      return low + (high - low) * part / whole;
+    };
+  const auto below = cumulative(sizes);
+  const double first = below(low), inside = below(high) - first;
+  return [=](double part, double whole) {
+    return solve(below, first + inside * part / whole, low, high);
+  };
+}
 } // namespace
 
 void GrainSizes::check() const
 {
+  if (distribution == SizeDistribution::table) {
+    (void)SizeTable(table, basis);
+    return;
+  }
   Positive{}(minimum_diameter, "minimum diameter");
   if (!(maximum_diameter >= minimum_diameter))
     refuse(
@@ -63,22 +90,10 @@ std::vector<double>
 draw_radii(const GrainSizes &sizes, std::size_t count, std::uint64_t seed)
 {
   sizes.check();
-  const double low = sizes.minimum_diameter, high = sizes.maximum_diameter;
+  const auto quantile = quantiles(sizes);
   std::vector<double> radius(count);
-  if (sizes.distribution == SizeDistribution::uniform || low == high) {
-    for (std::size_t k = 0; k < count; ++k)
-      radius[k] =
-          0.5 * (low + (high - low) * (double(k) + 0.5) / double(count));
-  } else {
-    const auto share = cumulative(sizes);
-    const double below = share(low), inside = share(high) - below;
-    for (std::size_t k = 0; k < count; ++k)
-      radius[k] =
-          0.5 * solve(share,
-                      below + inside * (double(k) + 0.5) / double(count),
-                      low,
-                      high);
-  }
+  for (std::size_t k = 0; k < count; ++k)
+    radius[k] = 0.5 * quantile(double(k) + 0.5, double(count));
   RandomNumbers random(seed);
   for (std::size_t k = count; k > 1; --k)
     std::swap(radius[k - 1], radius[std::size_t(random.next() * double(k))]);

@@ -3,13 +3,23 @@
 #include <dem/measures.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace tamp::dem
 {
 namespace
 {
-/// Calls `visit` with each contact that overlaps or sticks: its memory, its
-/// branch [m], the pair's shape, its overlap [m] and its laws.
+/// A contact with all that its laws want to know.
+struct Visited {
+  const ContactMemory &contact;
+  Vector3 branch; ///< [m]
+  PairShape<double> shape;
+  double overlap; ///< [m]
+  NormalMemory<double> memory;
+  const PairLaws &laws;
+};
+
+/// Calls `visit` with each contact that overlaps or sticks.
 template <class Visitor>
 void for_each_contact(const UnitCell &cell, Visitor &&visit)
 {
@@ -26,13 +36,13 @@ void for_each_contact(const UnitCell &cell, Visitor &&visit)
       continue;
     std::copy_n(
         cell.more_memory.data() + k * more.size(), more.size(), more.data());
-    visit(contact,
-          branch,
-          shape,
-          overlap,
-          NormalMemory<double>{
-              contact.largest_overlap, contact.contact_radius, more.data()},
-          laws.of(contact.pair));
+    visit(
+        Visited{contact,
+                branch,
+                shape,
+                overlap,
+                {contact.largest_overlap, contact.contact_radius, more.data()},
+                laws.of(contact.pair)});
   }
 }
 
@@ -46,41 +56,52 @@ bool slides(const AnyTangentialLaw &law,
       std::visit([&](const auto &l) { return l.cap(push); }, law);
   return cap > 0 && tangential.norm() >= (1 - round_off) * cap;
 }
-} // namespace
 
-std::vector<ContactForce> contact_forces(const UnitCell &cell)
+/// Adds the contact if it touches.
+void add_force(std::vector<ContactForce> &forces, const Visited &visited)
 {
-  std::vector<ContactForce> result;
-  result.reserve(cell.contacts.size());
-  for_each_contact(
-      cell,
-      [&](const ContactMemory &contact,
-          const Vector3 &branch,
-          const PairShape<double> &shape,
-          double overlap,
-          NormalMemory<double> memory,
-          const PairLaws &laws) {
-        const auto [push, plastic] = std::visit(
-            [&](const auto &law) {
-              const NormalAnswer<double> answer = law(overlap, shape, memory);
-              return std::pair(answer, law.is_plastic(shape, memory));
-            },
-            laws.normal);
-        if (push.contact_radius > 0)
-          result.push_back(
-              {contact.pair,
-               branch,
-               push.force,
-               contact.tangential_force,
-               overlap,
-               plastic,
-               slides(laws.tangential, push, contact.tangential_force)});
-      });
-  return result;
+  // Laws write into the memory that they are given.
+  const auto [push, plastic] = std::visit(
+      [&](const auto &law) {
+        NormalMemory<double> memory = visited.memory;
+        const NormalAnswer<double> answer =
+            law(visited.overlap, visited.shape, memory);
+        return std::pair(answer, law.is_plastic(visited.shape, memory));
+      },
+      visited.laws.normal);
+  const Vector3 &tangential = visited.contact.tangential_force;
+  if (push.contact_radius > 0)
+    forces.push_back({visited.contact.pair,
+                      visited.branch,
+                      push.force,
+                      tangential,
+                      visited.overlap,
+                      plastic,
+                      slides(visited.laws.tangential, push, tangential)});
 }
 
-namespace
+struct ContactEnergy {
+  double elastic = 0, dissipated = 0;
+};
+
+void add_energy(ContactEnergy &sum, const Visited &visited)
 {
+  const NormalEnergy normal = std::visit(
+      [&](const auto &law) {
+        return law.energy(visited.overlap, visited.shape, visited.memory);
+      },
+      visited.laws.normal);
+  sum.elastic += normal.elastic;
+  sum.dissipated += normal.dissipated;
+  const double k = std::visit(
+      [&](const auto &law) {
+        return law.stiffness(visited.contact.contact_radius);
+      },
+      visited.laws.tangential);
+  if (k > 0)
+    sum.elastic += visited.contact.tangential_force.squaredNorm() / (2 * k);
+}
+
 Matrix3 stress_of(const std::vector<ContactForce> &forces, double volume)
 {
   Matrix3 sum = Matrix3::Zero();
@@ -88,37 +109,6 @@ Matrix3 stress_of(const std::vector<ContactForce> &forces, double volume)
     sum -= (c.normal_force * c.branch.normalized() - c.tangential_force) *
            c.branch.transpose();
   return sum / volume;
-}
-
-struct ContactEnergy {
-  double elastic = 0, dissipated = 0;
-};
-
-ContactEnergy contact_energy(const UnitCell &cell)
-{
-  ContactEnergy sum;
-  for_each_contact(
-      cell,
-      [&](const ContactMemory &contact,
-          const Vector3 &,
-          const PairShape<double> &shape,
-          double overlap,
-          NormalMemory<double> memory,
-          const PairLaws &laws) {
-        const NormalEnergy normal = std::visit(
-            [&](const auto &law) { return law.energy(overlap, shape, memory); },
-            laws.normal);
-        sum.elastic += normal.elastic;
-        sum.dissipated += normal.dissipated;
-        const double k = std::visit(
-            [&](const auto &law) {
-              return law.stiffness(contact.contact_radius);
-            },
-            laws.tangential);
-        if (k > 0)
-          sum.elastic += contact.tangential_force.squaredNorm() / (2 * k);
-      });
-  return sum;
 }
 
 void count_grains(const UnitCell &cell,
@@ -133,12 +123,20 @@ void count_grains(const UnitCell &cell,
   const double none = double(std::ranges::count(touching, 0u));
   const double one = double(std::ranges::count(touching, 1u));
   const double n = double(cell.size()), doubled = 2 * double(forces.size());
-  result.rattlers = std::size_t(none + one);
   result.coordination_number = doubled / n;
   if (n > none + one)
     result.mechanical_coordination_number = (doubled - one) / (n - none - one);
 }
 } // namespace
+
+std::vector<ContactForce> contact_forces(const UnitCell &cell)
+{
+  std::vector<ContactForce> result;
+  result.reserve(cell.contacts.size());
+  for_each_contact(cell,
+                   [&](const Visited &visited) { add_force(result, visited); });
+  return result;
+}
 
 Matrix3 love_weber_stress(const UnitCell &cell)
 {
@@ -147,28 +145,42 @@ Matrix3 love_weber_stress(const UnitCell &cell)
 
 CellMeasures measure(const UnitCell &cell)
 {
-  const std::vector<ContactForce> forces = contact_forces(cell);
+  std::vector<ContactForce> forces;
+  forces.reserve(cell.contacts.size());
+  ContactEnergy energy;
+  for_each_contact(cell, [&](const Visited &visited) {
+    add_energy(energy, visited); // before a law writes into its own memory
+    add_force(forces, visited);
+  });
   CellMeasures result;
   const Matrix3 stress = stress_of(forces, cell.box.volume());
   result.stress = 0.5 * (stress + stress.transpose());
   if (const double size = stress.norm(); size > 0)
     result.asymmetry = 0.5 * (stress - stress.transpose()).norm() / size;
   for (const ContactForce &c : forces) {
-    const Vector3 n = c.branch.normalized();
-    result.fabric += n * n.transpose();
+    result.mean_normal_force += c.normal_force;
     result.plastic_contacts += c.plastic;
     result.sliding_contacts += c.sliding;
   }
   result.contacts = forces.size();
-  if (!forces.empty())
-    result.fabric /= double(forces.size());
+  result.anisotropy = anisotropies(forces);
+  if (!forces.empty()) {
+    result.mean_normal_force /= double(forces.size());
+    result.fabric = Matrix3::Identity() / 3 + result.anisotropy.contacts / 7.5;
+  }
   count_grains(cell, forces, result);
+  result.backbone = find_backbone(cell, forces);
+  result.rattlers = result.backbone.rattlers;
   result.relative_density = cell.relative_density();
-  result.elastic_energy = contact_energy(cell).elastic;
+  result.elastic_energy = energy.elastic;
   return result;
 }
+
 double plastic_loss(const UnitCell &cell)
 {
-  return contact_energy(cell).dissipated;
+  ContactEnergy energy;
+  for_each_contact(
+      cell, [&](const Visited &visited) { add_energy(energy, visited); });
+  return energy.dissipated;
 }
 } // namespace tamp::dem

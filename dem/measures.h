@@ -2,6 +2,8 @@
 #ifndef dem_measures_h
 #define dem_measures_h
 
+#include <dem/anisotropy.h>
+#include <dem/backbone.h>
 #include <dem/tensors.h>
 #include <dem/unit_cell.h>
 
@@ -12,11 +14,11 @@ namespace tamp::dem
 {
 /// A force-carrying contact of a cell, for measures and pictures.
 struct ContactForce {
-  Pair pair;
-  Vector3 branch;           ///< from first to second [m]
-  double normal_force = 0;  ///< N, compression positive [N]
-  Vector3 tangential_force; ///< on the first grain [N]
-  double overlap = 0;       ///< [m]
+  Pair pair{};
+  Vector3 branch = Vector3::Zero();           ///< from first to second [m]
+  double normal_force = 0;                    ///< N, compression positive [N]
+  Vector3 tangential_force = Vector3::Zero(); ///< on the first grain [N]
+  double overlap = 0;                         ///< [m]
   bool plastic = false, sliding = false;
 };
 
@@ -34,9 +36,12 @@ struct CellMeasures {
   Matrix3 stress = Matrix3::Zero(); ///< symmetric part, tension positive [Pa]
   double asymmetry = 0;             ///< |skw stress| / |stress| [-]
   Matrix3 fabric = Matrix3::Zero(); ///< mean of n (x) n, trace 1 [-]
-  std::size_t contacts = 0;         ///< C, that touch
+  Anisotropies anisotropy;
+  std::size_t contacts = 0; ///< C, that touch
   std::size_t plastic_contacts = 0, sliding_contacts = 0;
-  std::size_t rattlers = 0;       ///< grains with fewer than two contacts
+  double mean_normal_force = 0; ///< over all contacts [N]
+  Backbone backbone;
+  std::size_t rattlers = 0;       ///< those of find_backbone()
   double coordination_number = 0; ///< Z = 2 C / N
   /// Z_m = (2 C - N_1) / (N - N_0 - N_1).
   /// Source: Thornton & Antony (2000), Powder Technol. 109:179.

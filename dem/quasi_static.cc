@@ -191,8 +191,9 @@ template <class T>
 void Increment<T>::adopt(CellAnswer &answer)
 {
   const Matrix3 old_stress = love_weber_stress(cell_);
-  const double old_loss = plastic_loss(cell_);
   const double old_volume = cell_.box.volume();
+  layout_.read_memories(cell_); // without pairs that have parted for good
+  const double old_loss = plastic_loss(cell_);
   const SweepTotals totals = layout_.sweep(affine_, {Memory::written});
   cell_.box = box_;
   for (std::size_t i = 0; i < place_.size(); ++i)
@@ -217,15 +218,28 @@ CellAnswer step_in(UnitCell &cell,
                    WarmGuess *guess)
 {
   Increment<T> increment(cell, stretch, settings, arithmetic);
+  bool guessed = false;
   if (guess && guess->predictor_scale < 0)
     guess->predictor_scale = increment.predictor_scale();
-  if (guess && !guess->empty())
+  if (guess && !guess->empty()) {
     increment.start_from(guess->motion, 1);
-  else if (const double scale =
-               guess ? guess->predictor_scale : increment.predictor_scale();
-           scale > 0)
+    guessed = true;
+  } else if (const double scale =
+                 guess ? guess->predictor_scale : increment.predictor_scale();
+             scale > 0) {
     increment.start_from(cell.last.motion, scale);
+    guessed = true;
+  }
   CellAnswer answer = increment.relax();
+  if (answer.outcome == Outcome::diverged && guessed) {
+    // After an avalanche a guess throws grains into each other: do without.
+    cell.last = {};
+    if (guess)
+      *guess = {{}, 0};
+    CellAnswer again = step_in<T>(cell, stretch, settings, arithmetic, guess);
+    again.evaluations += answer.evaluations;
+    return again;
+  }
   if (guess) {
     if (answer.outcome == Outcome::settled)
       guess->motion = increment.motion();

@@ -1,68 +1,53 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <dem/dynamics.h>
-#include <dem/measures.h>
+#include <dem/motion.h>
 #include <dem/servo.h>
+#include <dem/servo_gain.h>
+#include <dem/tangent.h>
 #include <dem/unit_cell.h>
 #include <dem/value_check.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace tamp::dem
 {
 namespace
 {
-double mean_pressure(const Matrix3 &stress)
-{
-  return -stress.trace() / 3;
-}
-
-// Time steps between two looks at the pressure.
-constexpr double steps_between_looks = 20;
-// Slower than this share of the first rate the servo does not go: the cell is
-// at rest then, and must still move for the grains to come to rest, too.
-constexpr double slowest_share = 1e-6;
+// Time steps between two looks at the pressure, and looks after which stiffness
+// and time step are taken anew.
+constexpr std::size_t steps_between_looks = 5, looks_of_a_round = 100;
 } // namespace
 
 CellAnswer servo_to_pressure(UnitCell &cell,
                              const ServoGoal &goal,
-                             const Dynamics &settings)
+                             const Dynamics &settings,
+                             const Arithmetic &arithmetic)
 {
   Positive{}(goal.pressure, "pressure of the servo");
-  const double time = steps_between_looks * settings.time_step_fraction *
-                      rayleigh_time_step(cell.materials[0],
-                                         cell.smallest_radius(),
-                                         settings.density_scaling);
-  CellAnswer answer;
-  answer.stress = love_weber_stress(cell);
-  double missing = goal.pressure - mean_pressure(answer.stress);
-  double gain = missing != 0 ? settings.strain_rate / std::abs(missing) : 0;
-  std::size_t spent = 0;
-  do {
-    const double rate =
-        std::copysign(std::clamp(gain * std::abs(missing),
-                                 slowest_share * settings.strain_rate,
-                                 settings.strain_rate),
-                      missing);
-    Dynamics now = settings;
-    now.strain_rate = std::abs(rate);
-    answer = deform_by_dynamics(
-        cell, std::exp(-rate * time) * Stretch::Identity(), now);
-    spent += answer.evaluations;
-    answer.evaluations = spent;
-    if (answer.outcome == Outcome::diverged)
-      return answer;
-    const double before = missing;
-    missing = goal.pressure - mean_pressure(answer.stress);
-    if (missing * before < 0)
-      gain *= 0.5;
-    if (std::abs(missing) <= goal.accuracy * goal.pressure &&
-        answer.unbalance <= goal.unbalance) {
-      answer.outcome = Outcome::settled;
-      return answer;
+  const double near = goal.accuracy * goal.pressure;
+  ServoGain gain(settings.strain_rate);
+  const auto motion = start_motion(cell, settings, arithmetic);
+  Outcome outcome = Outcome::unsettled;
+  double step = 0, stiffness = 0, missing = goal.pressure;
+  for (std::size_t look = 0; motion->steps() < goal.most_steps; ++look) {
+    if (look % looks_of_a_round == 0) {
+      motion->write_cell();
+      step = motion->time_step();
+      stiffness = voigt_tangent(cell).topLeftCorner<3, 3>().sum() / 3;
     }
-  } while (spent < goal.most_steps);
-  answer.outcome = Outcome::unsettled;
-  return answer;
+    missing = goal.pressure + motion->stress().trace() / 3;
+    const double time = step * double(steps_between_looks);
+    const double rate = -gain.rate(missing, near, stiffness, time);
+    if (!motion->advance(
+            rate * time * Matrix3::Identity(), steps_between_looks, step)) {
+      outcome = Outcome::diverged;
+      break;
+    }
+    missing = goal.pressure + motion->stress().trace() / 3;
+    if (std::abs(missing) <= near && motion->unbalance() <= goal.unbalance) {
+      outcome = Outcome::settled;
+      break;
+    }
+  }
+  return end_motion(*motion, outcome);
 }
 } // namespace tamp::dem

@@ -18,15 +18,14 @@ struct ServoGoal {
   std::size_t most_steps = 2000000; ///< time steps before it gives up
 };
 
-/// Deforms a cell isotropically by damped dynamics at the rate
-/// g (p_d - p), with the gain g = rate / (p_d - p) of the start, until the
-/// pressure is reached at rest. The gain is halved whenever the pressure passes
-/// the goal, without which a stiff packing would swing about it. `unsettled` if
-/// the goal is not met in the steps allowed; then the cell is where it came to.
+/// Deforms a cell isotropically by damped dynamics at the rate g (p_d - p), g
+/// as in ServoGain, until the pressure is reached at rest. `unsettled` if the
+/// goal is not met in the steps allowed; then the cell is where it came to.
 /// Source: Sheng et al. (2004), eqs (7) and (8).
 CellAnswer servo_to_pressure(UnitCell &cell,
                              const ServoGoal &goal,
-                             const Dynamics &settings);
+                             const Dynamics &settings,
+                             const Arithmetic &arithmetic = {});
 } // namespace tamp::dem
 
 #endif

@@ -19,9 +19,11 @@ inline Matrix3 logarithm(const Matrix3 &stretch)
          eigen.eigenvectors().transpose();
 }
 
-/// exp E of a symmetric E.
+/// exp E of a symmetric E; exactly diagonal if E is.
 inline Matrix3 exponential(const Matrix3 &strain)
 {
+  if (strain.isDiagonal(0))
+    return strain.diagonal().array().exp().matrix().asDiagonal();
   const Eigen::SelfAdjointEigenSolver<Matrix3> eigen(strain);
   return eigen.eigenvectors() *
          eigen.eigenvalues().array().exp().matrix().asDiagonal() *

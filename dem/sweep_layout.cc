@@ -49,6 +49,7 @@ template <class T>
 typename SweepLayout<T>::Stiffness SweepLayout<T>::stiffness() const
 {
   Stiffness sum{std::vector<double>(rows_.size(), 0.0),
+                std::vector<double>(rows_.size(), 0.0),
                 std::vector<double>(rows_.size(), 0.0)};
   const auto add = [&](const auto &normal,
                        const auto &tangential,
@@ -72,6 +73,7 @@ typename SweepLayout<T>::Stiffness SweepLayout<T>::stiffness() const
     for (std::size_t grain : {i, j}) {
       sum.both[grain] += kn + kt;
       sum.tangential[grain] += kt;
+      ++sum.contacts[grain];
     }
   };
   for (const auto &group : contacts_.groups()) {

@@ -50,7 +50,8 @@ public:
   /// from the largest overlap.
   struct Stiffness {
     std::vector<double> both, tangential;
-    double largest = 0; ///< of one contact [N/m]
+    std::vector<double> contacts; ///< how many touch
+    double largest = 0;           ///< of one contact [N/m]
   };
   Stiffness stiffness() const;
 

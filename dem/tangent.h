@@ -2,12 +2,14 @@
 #ifndef dem_tangent_h
 #define dem_tangent_h
 
-#include <dem/unit_cell.h>
+#include <dem/tensors.h>
 
 #include <Eigen/Core>
 
 namespace tamp::dem
 {
+class UnitCell;
+
 /// A linear map from strain to stress, in the order xx, yy, zz, yz, xz, xy;
 /// strains are tensor components (not engineering shear): entry (k, l) is
 /// d stress_k / d strain_l with strain_l alone in the symmetric tensor, that is
@@ -21,6 +23,11 @@ using Tangent = Eigen::Matrix<double, 6, 6>;
 /// Source: Kruyt & Rothenburg (1998), J. Eng. Mech. 124:1; Luding (2004), Int.
 /// J. Solids Struct. 41:5821.
 Tangent voigt_stiffness(const UnitCell &cell);
+
+/// What branches and volume add to d Cauchy stress / d strain when they follow
+/// the strain: stress . strain - stress tr(strain) [Pa].
+/// @param stress  Love-Weber stress, tension positive [Pa]
+Tangent stress_transport(const Matrix3 &stress);
 
 /// d Cauchy stress / d strain for h -> (I + strain) h: voigt_stiffness() and
 /// the change of contact directions, branches and volume under stress.

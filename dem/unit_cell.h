@@ -29,7 +29,7 @@ struct EnergyAccount {
   double work = 0;                 ///< done by the stress on the cell
   double plastic_dissipation = 0;  ///< in the normal laws
   double friction_dissipation = 0; ///< by sliding
-  double damping_dissipation = 0;  ///< by global damping; dynamics only
+  double damping_dissipation = 0;  ///< globally and in contacts; dynamics only
   bool operator==(const EnergyAccount &) const = default;
 };
 

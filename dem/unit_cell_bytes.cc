@@ -2,6 +2,8 @@
 #include <dem/cell_laws.h>
 #include <dem/unit_cell_bytes.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
 #include <stdexcept>
@@ -11,7 +13,27 @@ namespace tamp::dem
 {
 namespace
 {
-constexpr std::uint64_t mark = 0x324c4c4543504d54; // "TMPCELL2"
+constexpr std::uint64_t mark = 0x334c4c4543504d54; // "TMPCELL3"
+
+// Records are written as they lie in memory, which must have no gaps: what is
+// in them is no value. ContactModel has gaps.
+static_assert(sizeof(GrainMaterial) == 4 * sizeof(double));
+static_assert(sizeof(Vector3) == 3 * sizeof(double));
+static_assert(sizeof(ContactMemory) == sizeof(Pair) + 5 * sizeof(double));
+static_assert(sizeof(EnergyAccount) == 4 * sizeof(double));
+
+/// All parts of a contact model, in the order of the bytes.
+template <class Model, class Visitor>
+void visit_model(Model &model, Visitor &visit)
+{
+  visit(model.normal_law);
+  visit(model.tangential_law);
+  visit(model.rolling_law);
+  visit(model.friction_coefficient);
+  visit(model.work_of_adhesion);
+  visit(model.rolling_friction_coefficient);
+  visit(model.restitution_coefficient);
+}
 
 struct Writer {
   std::vector<char> &bytes;
@@ -22,6 +44,7 @@ struct Writer {
     const char *begin = reinterpret_cast<const char *>(&value);
     bytes.insert(bytes.end(), begin, begin + sizeof(T));
   }
+  void operator()(const ContactModel &model) { visit_model(model, *this); }
   template <class T>
   void operator()(const std::vector<T> &values)
   {
@@ -39,6 +62,7 @@ struct Reader {
   {
     std::memcpy(static_cast<void *>(&value), take(sizeof(T)), sizeof(T));
   }
+  void operator()(ContactModel &model) { visit_model(model, *this); }
   template <class T>
   void operator()(std::vector<T> &values)
   {
@@ -88,19 +112,55 @@ void visit_parts(Cell &cell, Visitor &visit)
   visit(cell.energy);
 }
 
+/// Whether the names are those of laws and the values physical.
+bool physical(const UnitCell &cell)
+{
+  const ContactModel &model = cell.contact;
+  const auto among = [](auto name, auto last) {
+    return name >= decltype(name){} && name <= last;
+  };
+  if (!among(model.normal_law, NormalLaw::mdr) ||
+      !among(model.tangential_law, TangentialLaw::mindlin_deresiewicz) ||
+      !among(model.rolling_law, RollingLaw::epsd))
+    return false;
+  try {
+    model.check();
+    for (const GrainMaterial &material : cell.materials)
+      material.check();
+  } catch (const std::invalid_argument &) {
+    return false;
+  }
+  const auto finite = [](const auto &vector) { return vector.allFinite(); };
+  const auto size = [](double r) { return r > 0 && std::isfinite(r); };
+  return size(cell.box.volume()) && std::ranges::all_of(cell.radius, size) &&
+         std::ranges::all_of(cell.place, finite);
+}
+
+/// Whether the pairs are of two grains each, and sorted.
+bool in_order(auto pair_of, const auto &values, std::size_t grains)
+{
+  const Pair *last = nullptr;
+  for (const auto &value : values) {
+    const Pair &pair = pair_of(value);
+    if (pair.first >= pair.second || pair.second >= grains ||
+        (last && !(*last < pair)))
+      return false;
+    last = &pair;
+  }
+  return true;
+}
+
 /// Whether every index is that of a grain and every vector fits.
 bool consistent(const UnitCell &cell)
 {
   const std::size_t n = cell.size();
-  const auto fits = [n](const Pair &pair) {
-    return pair.first < pair.second && pair.second < n;
+  const auto itself = [](const Pair &pair) -> const Pair & { return pair; };
+  const auto contact = [](const ContactMemory &memory) -> const Pair & {
+    return memory.pair;
   };
-  for (const ContactMemory &contact : cell.contacts)
-    if (!fits(contact.pair))
-      return false;
-  for (const Pair &pair : cell.neighbours.pairs)
-    if (!fits(pair))
-      return false;
+  if (!in_order(contact, cell.contacts, n) ||
+      !in_order(itself, cell.neighbours.pairs, n))
+    return false;
   const auto none_or = [](std::size_t size, std::size_t wanted) {
     return size == 0 || size == wanted;
   };
@@ -133,7 +193,7 @@ UnitCell from_bytes(std::span<const char> bytes)
     throw std::runtime_error("unit cell: bytes do not begin as a cell does");
   UnitCell cell;
   visit_parts(cell, read);
-  if (!read.bytes.empty() || !consistent(cell))
+  if (!read.bytes.empty() || !physical(cell) || !consistent(cell))
     throw std::runtime_error("unit cell: bytes do not make up a cell");
   return cell;
 }

@@ -43,9 +43,11 @@ public:
   PathEnd run(const PathStage &stage, const unsigned index)
   {
     begin(stage, index);
+    if (!stage.gradients.empty())
+      return follow(stage.gradients);
     if (stage.has_until && beyond(stress_))
       return PathEnd::finished;
-    constexpr double most_cuts = 256, smallest_step = 1e-9;
+    constexpr double smallest_step = 1e-9;
     const double longest = nominal_;
     for (double place = 0, step = nominal_; place < 1;) {
       if (place + 1.001 * step >= 1)
@@ -80,6 +82,41 @@ public:
   }
 
 private:
+  static constexpr double most_cuts = 256;
+
+  /// Takes the gradients one by one; one that fails is cut in equal parts on
+  /// the straight way from the one before.
+  PathEnd follow(const std::vector<Tensor<2, 3>> &gradients)
+  {
+    const Tensor<2, 3> start = probe_.F();
+    for (const Tensor<2, 3> &gradient : gradients) {
+      const Tensor<2, 3> from = probe_.F(), to = gradient * start;
+      for (double place = 0, step = 1; place < 1;) {
+        const double next = place + 1.001 * step >= 1 ? 1 : place + step;
+        probe_.begin_attempt();
+        const Response &trial = probe_.evaluate(
+            next < 1 ? from + next * (to - from) : to, Want::stress);
+        trial_stress_ = components(trial.stress);
+        if (trial.status == Status::failed ||
+            !std::isfinite(largest(trial_stress_))) {
+          step /= 2;
+          if (step < 1 / most_cuts)
+            return PathEnd::not_converged;
+          continue;
+        }
+        probe_.commit();
+        const path::LeftSplit split = path::left_split(probe_.F());
+        strain_ = split.strain;
+        goal_.rotation = split.rotation;
+        stress_ = trial_stress_;
+        ++step_;
+        report();
+        place = next;
+      }
+    }
+    return PathEnd::finished;
+  }
+
   void begin(const PathStage &stage, const unsigned index)
   {
     stage_ = &stage;
@@ -87,7 +124,9 @@ private:
     last_step_ = 0;
     begin_strain_ = end_strain_ = strain_;
     begin_stress_ = end_stress_ = stress_;
+    const Tensor<2, 3> rotation = goal_.rotation;
     goal_ = {};
+    goal_.rotation = rotation;
     goal_.tolerance = tolerance_;
     goal_.largest_correction = stage.maximum_increment;
     for (unsigned i = 0; i < 6; ++i) {
@@ -215,19 +254,6 @@ PathEnd drive_path(MaterialPoints &points,
       return end;
   }
   return PathEnd::finished;
-}
-
-PathEnd drive_gradients(MaterialPoints &points,
-                        const std::vector<Tensor<2, 3>> &gradients,
-                        const std::function<void(const PathRecord &)> &observe)
-{
-  std::vector<Tensor<2, 3>> increments;
-  Tensor<2, 3> before = dealii::unit_symmetric_tensor<3>();
-  for (const Tensor<2, 3> &F : gradients) {
-    increments.push_back(path::increment(F, before));
-    before = F;
-  }
-  return drive_increments(points, increments, observe);
 }
 
 PathEnd drive_increments(MaterialPoints &points,

@@ -40,6 +40,9 @@ struct PathStage {
   unsigned until_component = 2;
   double until_stress = 0;
   bool until_above = true;
+  /// If there are any, the stage follows these instead of its components: F
+  /// since its start, an increment each. Rotation and all.
+  std::vector<dealii::Tensor<2, 3>> gradients;
 };
 
 /// State of the one point after an accepted increment.
@@ -61,22 +64,16 @@ enum class PathEnd {
 /// before each stage with its index. Stress control converges to
 /// `stress_tolerance` times the largest stress: of the trial, of the start and
 /// of the targets of the stage. Strains count from the state that the point has
-/// at the call; a point that is doubtful is taken as it is. Either function may
-/// be empty. After `not_converged` the point is in the last observed state.
+/// at the call, as ln V of F = V R; components keep the rotation R that
+/// gradients have led to; a point that is doubtful is taken as it is. Either
+/// function may be empty. After `not_converged` the point is in the last
+/// observed state.
 [[nodiscard]] PathEnd
 drive_path(MaterialPoints &points,
            const std::vector<PathStage> &stages,
            const std::function<void(unsigned)> &stage_begins,
            const std::function<void(const PathRecord &)> &observe,
            double stress_tolerance = 1e-3);
-
-/// Takes point 0 along given deformation gradients F since the start, one
-/// committed increment each. After `not_converged` it is in the last observed
-/// state.
-[[nodiscard]] PathEnd
-drive_gradients(MaterialPoints &points,
-                const std::vector<dealii::Tensor<2, 3>> &gradients,
-                const std::function<void(const PathRecord &)> &observe);
 
 /// Takes point 0 along given increments F_new F_old^-1, one commit each: what a
 /// die told one of its points is replayed to the last bit.

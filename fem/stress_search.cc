@@ -114,6 +114,30 @@ Tensor<2, 3> stretch(const Six &strain)
   return result;
 }
 
+LeftSplit left_split(const Tensor<2, 3> &F)
+{
+  LeftSplit split{};
+  split.rotation = dealii::unit_symmetric_tensor<3>();
+  const SymmetricTensor<2, 3> b = symmetrize(F * transpose(F));
+  if (largest({b[1][2], b[0][2], b[0][1], 0, 0, 0}) <= 0) {
+    for (unsigned i = 0; i < 3; ++i)
+      split.strain[i] = 0.5 * std::log(b[i][i]);
+  } else {
+    SymmetricTensor<2, 3> E;
+    for (const auto &[value, axis] : dealii::eigenvectors(
+             b, dealii::SymmetricTensorEigenvectorMethod::jacobi))
+      E += 0.5 * std::log(value) * symmetrize(outer_product(axis, axis));
+    split.strain = components(E);
+  }
+  double off = 0;
+  for (unsigned i = 0; i < 3; ++i)
+    for (unsigned j = 0; j < 3; ++j)
+      off = i == j ? off : std::max(off, std::abs(F[i][j]));
+  if (off > 0)
+    split.rotation = invert(stretch(split.strain)) * F;
+  return split;
+}
+
 Probe::Probe(MaterialPoints &points)
     : points_(points), F_(dealii::unit_symmetric_tensor<3>()), trial_F_(F_),
       deformations_(points.size(), {F_}), responses_(points.size())
@@ -166,7 +190,8 @@ bool StressSearch::find(Six &strain)
 
 bool StressSearch::evaluate(const Six &strain, const Want want)
 {
-  const Response &response = probe_.evaluate(stretch(strain), want);
+  const Response &response =
+      probe_.evaluate(stretch(strain) * goal_.rotation, want);
   const Six stress = components(response.stress);
   trial_residual_.clear();
   for (const unsigned i : goal_.free)

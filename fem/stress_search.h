@@ -23,6 +23,15 @@ Six difference(const Six &a, const Six &b);
 /// if E is.
 dealii::Tensor<2, 3> stretch(const Six &strain);
 
+/// A deformation gradient F = exp(strain) rotation.
+struct LeftSplit {
+  Six strain; ///< ln V, V symmetric [-]
+  dealii::Tensor<2, 3> rotation;
+};
+/// Splits a deformation gradient; the rotation is exactly none if F is diagonal
+/// and positive.
+LeftSplit left_split(const dealii::Tensor<2, 3> &F);
+
 /// F_new F_old^-1; exactly diagonal if both are.
 dealii::Tensor<2, 3> increment(const dealii::Tensor<2, 3> &F_new,
                                const dealii::Tensor<2, 3> &F_old);
@@ -60,6 +69,7 @@ struct Goal {
   double tolerance = 0;          ///< relative to the largest stress
   double stress_scale = 0;       ///< the largest stress is at least this [Pa]
   double largest_correction = 0; ///< of a strain component in an iteration
+  dealii::Tensor<2, 3> rotation = dealii::unit_symmetric_tensor<3>(); ///< R [-]
 };
 
 /// Finds the free strains of one increment: Newton's method with the tangent

@@ -57,6 +57,7 @@ struct AdhesiveMindlin {
   /// As Mindlin's, with dT = 8 G* a(T) d slip integrated over the increment:
   /// the force moves along a line, on which Simpson's rule gives the mean of
   /// 1/a. Since a depends on |T| alone, no work is gained or lost by peeling.
+  /// Lost is as in Mindlin's law, energies being those of the mean radius.
   template <class V>
   TangentialAnswer<V>
   operator()(const Triple<V> &old_force, const ContactMotion<V> &now, V *) const
@@ -81,10 +82,17 @@ struct AdhesiveMindlin {
     const V size = sqrt(dot(tried, tried));
     const V limit = cap(push);
     const V share = min(V(1.0), limit / max(size, V(tiny)));
-    const V slid = limit * max(size - limit, V(0.0));
+    // What a limit below the kept force takes, and an opening contact.
+    const V beyond = max(sqrt(dot(kept, kept)) - limit, V(0.0));
+    const V slid = limit * max(size - limit, V(0.0)) + V(0.5) * beyond * beyond;
+    const V peeled = select(push.contact_radius > V(tiny),
+                            radius / max(push.contact_radius, V(tiny)),
+                            V(1.0));
+    const V old_stiffness = stiffness(now.old_radius * peeled);
     const V stored =
-        V(0.5) * (dot(old_force, old_force) * change - dot(kept, kept));
-    return {share * tried, (slid + stored) / max(k, V(tiny))};
+        V(0.5) * (dot(old_force, old_force) / max(old_stiffness, V(tiny)) -
+                  dot(kept, kept) / max(k, V(tiny)));
+    return {share * tried, slid / max(k, V(tiny)) + stored};
   }
 
 private:

@@ -59,7 +59,7 @@ V cube_root(const V &x)
 /// e^x for -4.4 <= x <= 0, to 1e-13 of its value: a polynomial of degree 9 in
 /// x / 32, squared five times.
 template <class V>
-requires std::is_constructible_v<V, double> V exponential(const V &x)
+V negative_exponential(const V &x)
 {
   const V part = x * V(1.0 / 32);
   V power = V(1.0);

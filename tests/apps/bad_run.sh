@@ -20,8 +20,8 @@ OMPI_COMM_WORLD_SIZE=2 OMPI_COMM_WORLD_RANK=1 \
 expect 2 'missing.prm' -- "$tamp" probe missing.prm -o results
 expect 2 'a command' 'die, probe' -- "$tamp"
 expect 2 "'dye'" "'die'" -- "$tamp" dye bad.prm
-expect 2 "'pack'" 'not in this version' -- "$tamp" pack bad.prm
-for entry in 'Packing/File = a.h5' 'Output/Checkpoint interval = 5' \
+expect 2 "'fit'" 'not in this version' -- "$tamp" fit bad.prm
+for entry in 'Output/Checkpoint interval = 5' \
   'Die/Punch friction coefficient = 0'; do
   expect 2 "'${entry%%/*}'" '(not in this version)' -- "$tamp" probe bad.prm \
     -o results --set "$entry"

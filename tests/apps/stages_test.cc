@@ -4,6 +4,10 @@
 #include <apps/schedule.h>
 #include <apps/units.h>
 
+#include <deal.II/base/tensor.h>
+
+#include <filesystem>
+#include <fstream>
 #include <gtest/gtest.h>
 
 using namespace tamp;
@@ -116,6 +120,104 @@ TEST(ProbePath, ReadsComponents)
   EXPECT_TRUE(components[1].relative);
 }
 
+TEST(ProbePath, SimpleShearIsAPathOfGradients)
+{
+  // Compression is positive: a positive shear is F_xz < 0.
+  const auto path = parse_path("simple shear to strain 0.1", {2e-2, 1e-3});
+  const auto &gradients = path.stages[0].stage.gradients;
+  ASSERT_EQ(gradients.size(), 3u); // strains, half the shear, up to 2e-2
+  EXPECT_DOUBLE_EQ(gradients[0][0][2], -0.1 / 3);
+  EXPECT_EQ(gradients[2][0][2], -0.1);
+  EXPECT_EQ(determinant(gradients[2]), 1);
+}
+
+TEST(ProbePath, ConstantPressureShearHoldsAllNormalStresses)
+{
+  const auto path =
+      parse_path("constant-p shear to strain 0.1 at pressure 1 MPa", {});
+  const auto &components = path.stages[0].stage.components;
+  for (const unsigned normal : {0u, 1u, 2u}) {
+    EXPECT_EQ(components[normal].control, Control::stress);
+    EXPECT_DOUBLE_EQ(components[normal].value, -1e6);
+  }
+  EXPECT_DOUBLE_EQ(components[4].value, -0.1);
+  EXPECT_TRUE(components[3].relative);
+}
+
+TEST(ProbePath, AStageMayNameAFileOfGradients)
+{
+  const auto path = parse_path("hold 1 step; csv my path, new.csv", {});
+  ASSERT_EQ(path.stages.size(), 2u);
+  EXPECT_EQ(path.stages[1].file, "my path, new.csv");
+  EXPECT_TRUE(path.stages[0].file.empty());
+}
+
+class GradientFile : public testing::Test
+{
+protected:
+  GradientFile()
+      : folder_(std::filesystem::path(testing::TempDir()) / "gradient_file")
+  {
+    std::filesystem::create_directories(folder_);
+  }
+  ~GradientFile() override { std::filesystem::remove_all(folder_); }
+
+  ProbePath read(const std::string &stages, const std::string &text)
+  {
+    std::ofstream(folder_ / "path.csv") << text;
+    ProbePath path = parse_path(stages, {});
+    read_files(path, folder_);
+    return path;
+  }
+  std::filesystem::path folder_;
+};
+
+TEST_F(GradientFile, ColumnsAreFoundByNameBesidesATime)
+{
+  const std::string text =
+      "# drawn by hand\ntime[s],F_xx,F_xy,F_xz,F_yx,F_yy,F_yz,F_zx,F_zy,F_zz\n"
+      "0,1,0,0,0,1,0,0,0,1\n1,1,0,0.2,0,1,0,0,0,0.9\n";
+  const auto path = read("hold 1 step; csv path.csv", text);
+  const auto &gradients = path.stages[1].stage.gradients;
+  ASSERT_EQ(gradients.size(), 2u);
+  EXPECT_EQ(gradients[1][0][2], 0.2);
+  EXPECT_EQ(gradients[1][2][2], 0.9);
+  EXPECT_TRUE(path.increments.empty());
+}
+
+TEST_F(GradientFile, RelativeGradientsMultiplyUpInAStage)
+{
+  const std::string header =
+      "relative_F_xx,relative_F_xy,relative_F_xz,relative_F_yx,relative_F_yy,"
+      "relative_F_yz,relative_F_zx,relative_F_zy,relative_F_zz\n";
+  const std::string row = "1,0,0,0,1,0,0,0,0.5\n";
+  const auto path = read("csv path.csv; hold 1 step", header + row + row);
+  EXPECT_EQ(path.stages[0].stage.gradients.at(1)[2][2], 0.25);
+  const auto alone = read("csv path.csv", header + row + row);
+  EXPECT_EQ(alone.increments.size(), 2u); // replayed as they are
+}
+
+TEST_F(GradientFile, WhatIsWrongIsNamedWithItsLine)
+{
+  const auto complaint = [&](const std::string &text) {
+    try {
+      read("csv path.csv", text);
+    } catch (const InputError &error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const std::string good = "1,0,0,0,1,0,0,0,1\n";
+  for (const char *bad :
+       {"1,0,0\n", "1,0,0,0,one,0,0,0,1\n", "1,0,0,0,1,0,0,0,-1\n"})
+    EXPECT_NE(complaint(good + bad).find("path.csv:2: "), std::string::npos)
+        << bad;
+  EXPECT_NE(complaint("F_xx,F_xy\n1,0\n").find("path.csv:1: "),
+            std::string::npos);
+  EXPECT_NE(complaint("# nothing\n").find("no deformation gradient"),
+            std::string::npos);
+}
+
 TEST(ProbePath, NamesTheWordThatIsWrong)
 {
   for (const char *text : {"",
@@ -124,6 +226,8 @@ TEST(ProbePath, NamesTheWordThatIsWrong)
                            "uniaxial to strain 1 MPa",
                            "unload to 120 % of peak",
                            "hold 2.5 steps",
-                           "csv file.csv; hold 1 step"})
+                           "simple to strain 1",
+                           "constant-p shear to strain 0.1",
+                           "csv"})
     EXPECT_THROW(parse_path(text, {}), InputError) << text;
 }

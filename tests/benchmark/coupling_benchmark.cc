@@ -41,8 +41,7 @@ std::vector<dem::UnitCell> granules(std::size_t grains, std::size_t count)
   request.sizes.maximum_diameter = 650e-6;
   request.material = {3.5e9, 0.3, 2000, 50e6};
   request.contact.friction_coefficient = 0.35;
-
-  request.pressure = 0.5e6;
+  request.goal.pressure = 0.5e6;
   return coupling::make_packings(request, count, false, 2);
 }
 

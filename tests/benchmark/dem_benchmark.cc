@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <dem/deform.h>
 #include <dem/packing.h>
+#include <dem/probed_tangent.h>
 #include <dem/sweep_layout.h>
 #include <dem/unit_cell.h>
 #include <dem/unit_cell_bytes.h>
@@ -53,7 +54,7 @@ const UnitCell &packing(std::size_t count)
   request.sizes.maximum_diameter = 650e-6;
   request.material = {3.5e9, 0.3, 2000, 50e6};
   request.contact.friction_coefficient = 0.35;
-  request.pressure = 0.5e6;
+  request.goal.pressure = 0.5e6;
   UnitCell cell = make_packing(request);
   for (int k = 0; k < 25; ++k)
     deform(cell, uniaxial(-2e-3), {});
@@ -186,6 +187,53 @@ void measure_stress_error(std::size_t count)
   report(name + ".5e-3", error(2), "-");
 }
 
+/// What tangents cost for the state at the end of a small step of the path,
+/// and how far they are from differences of the map around that step.
+void measure_tangents(std::size_t count)
+{
+  const UnitCell &cell = packing(count);
+  constexpr double step = -1e-4;
+  UnitCell stepped = cell;
+  deform(stepped, uniaxial(step), {});
+  Probing probing;
+  probing.path(1, 1) = step;
+  NetworkChoice choice;
+  choice.sliding = true;
+
+  const std::string end = '.' + std::to_string(count);
+  Tangent wanted;
+  const auto time = [&](const std::string &name, auto &&call) {
+    const double start = seconds();
+    const Tangent found = call();
+    report("tangent." + name + end, seconds() - start, "s");
+    return found;
+  };
+  const auto compare = [&](const std::string &name, const Tangent &found) {
+    report("tangent." + name + "_error" + end,
+           (found - wanted).norm() / wanted.norm(),
+           "-");
+  };
+  wanted =
+      time("probed", [&] { return probed_tangent(cell, probing).tangent; });
+  probing.central = false;
+  probing.unbalance_tolerance = 1e-6;
+  compare("probed_forward", time("probed_forward", [&] {
+            return probed_tangent(cell, probing).tangent;
+          }));
+  compare("condensed", time("condensed", [&] {
+            return condensed_tangent(stepped, choice).tangent;
+          }));
+  choice.accuracy = 1e-4;
+  compare("condensed_coarse", time("condensed_coarse", [&] {
+            return condensed_tangent(stepped, choice).tangent;
+          }));
+  choice.sliding = false;
+  compare("condensed_sticking", time("condensed_sticking", [&] {
+            return condensed_tangent(stepped, choice).tangent;
+          }));
+  compare("voigt", time("voigt", [&] { return voigt_tangent(stepped); }));
+}
+
 void measure_bytes(std::size_t count)
 {
   std::vector<char> bytes;
@@ -206,6 +254,7 @@ const std::vector<Benchmark> benchmarks = {
     {"map.evaluations_per_1e-3.", {200, 1000}, measure_evaluations},
     {"map.stress_error.", {200, 1000}, measure_stress_error},
     {"map.seconds_per_1e-3.", {200, 1000}, measure_seconds},
+    {"tangent.", {200, 1000}, measure_tangents},
     {"cell.bytes.", {200, 1000}, measure_bytes},
 };
 } // namespace

@@ -16,9 +16,8 @@ inline dem::PackingRequest granules(std::size_t count = 100)
 {
   dem::PackingRequest request;
   request.grain_count = count;
-  request.pressure = 0.5e6;
+  request.goal.pressure = 0.5e6;
   request.material = {3.5e9, 0.3, 2000, 50e6};
-
   request.contact.friction_coefficient = 0.35;
   request.sizes.minimum_diameter = 450e-6;
   request.sizes.maximum_diameter = 650e-6;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstring>
 #include <gtest/gtest.h>
+#include <numbers>
 #include <stdexcept>
 
 namespace tamp::coupling
@@ -138,6 +139,43 @@ TEST(UnitCellPoints, RotatedPathRotatesStress)
     straight.commit();
     turning.commit();
   }
+}
+
+/// Physics of a rigid turn, verification value V16: a stressed cell that makes
+/// a full turn keeps the invariants of its stress and slides nowhere.
+TEST(UnitCellPoints, AFullTurnLeavesTheInvariantsOfTheStress)
+{
+  UnitCellPoints points(test::same_cells(1), test::cold());
+  evaluate(points, pressed(5e-3));
+  points.commit();
+  const dealii::SymmetricTensor<2, 3> first =
+      evaluate(points, Deformation{dealii::unit_symmetric_tensor<3>()})[0]
+          .stress;
+  const std::size_t sliding = dem::measure(points.cell(0)).sliding_contacts;
+  constexpr int parts = 60;
+  const double angle = 2 * std::numbers::pi / parts;
+  Deformation turn;
+  turn.relative_F[0][0] = turn.relative_F[2][2] = std::cos(angle);
+  turn.relative_F[0][2] = -(turn.relative_F[2][0] = std::sin(angle));
+  turn.relative_F[1][1] = 1;
+  dealii::SymmetricTensor<2, 3> stress;
+  for (int k = 1; k <= parts; ++k) {
+    stress = evaluate(points, turn)[0].stress;
+    points.commit();
+    EXPECT_NEAR(trace(stress), trace(first), 1e-3 * std::abs(trace(first)));
+    EXPECT_NEAR(second_invariant(stress),
+                second_invariant(first),
+                1e-3 * std::abs(second_invariant(first)));
+    EXPECT_NEAR(determinant(stress),
+                determinant(first),
+                1e-3 * std::abs(determinant(first)));
+    if (k == parts / 4) { // a quarter of the way x stands where z was
+      EXPECT_NEAR(stress[0][0], first[2][2], 1e-3 * first.norm());
+      EXPECT_GT(std::abs(first[0][0] - first[2][2]), 0.1 * first.norm());
+    }
+  }
+  EXPECT_LT((stress - first).norm(), 1e-3 * first.norm());
+  EXPECT_EQ(dem::measure(points.cell(0)).sliding_contacts, sliding);
 }
 
 TEST(UnitCellPoints, DensityFollowsTheVolume)

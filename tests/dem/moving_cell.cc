@@ -71,7 +71,15 @@ struct Rub {
   double lost = 0;                 // [J]
 };
 
-/// The old force, turned with the contact, shrunk and pushed on to the cap.
+/// T^2 / (2 k_t) [J]; 0 without a contact radius.
+double stored(double force, double shear_modulus, double radius)
+{
+  return radius > 0 ? force * force / (16 * shear_modulus * radius) : 0;
+}
+
+/// The old force, turned with the contact, shrunk and pushed on to the cap. On
+/// the way the energy of the old force becomes that of the kept one, then that
+/// of the cap if it is lower; then the contact slides.
 Rub rub_by_hand(const ContactMemory &old,
                 const Vector3 &normal,
                 const Vector3 &slip,
@@ -82,26 +90,30 @@ Rub rub_by_hand(const ContactMemory &old,
 {
   Vector3 rub = old.tangential_force;
   const double size = rub.norm();
+  const double before = stored(size, shear_modulus, old.contact_radius);
+  if (a == 0)
+    return {Vector3::Zero(), before};
   rub -= rub.dot(normal) * normal;
   if (size > 0)
     rub *= size / rub.norm();
   rub += spin * normal.cross(rub);
   if (a < old.contact_radius)
     rub *= a / old.contact_radius;
-  const double k = 8 * shear_modulus * a;
-  double lost = -rub.squaredNorm() / (2 * k);
-  if (old.contact_radius > 0)
-    lost += size * size / (16 * shear_modulus * old.contact_radius);
+  const double k = 8 * shear_modulus * a, kept = rub.norm();
+  double lost = before - stored(kept, shear_modulus, a);
   rub += k * (slip - slip.dot(normal) * normal);
   if (rub.norm() > cap) {
     lost += cap * (rub.norm() - cap) / k;
     rub *= cap / rub.norm();
   }
+  if (kept > cap)
+    lost += (kept - cap) * (kept - cap) / (2 * k);
   return {rub, lost};
 }
 
-/// Adds the contact of one pair, l from the first grain to the second.
-void add_contact(const UnitCell &cell,
+/// Adds the contact of one pair, l from the first grain to the second. Answers
+/// whether they overlap.
+bool add_contact(const UnitCell &cell,
                  const SmallMotion &motion,
                  Pair pair,
                  const Vector3 &l,
@@ -111,7 +123,7 @@ void add_contact(const UnitCell &cell,
   const double ri = cell.radius[i], rj = cell.radius[j], d = l.norm();
   const double overlap = ri + rj - d;
   if (overlap <= 0)
-    return;
+    return false;
   const PairMaterial material =
       pair_material(cell.material_of(i), cell.material_of(j));
   const ContactMemory old = memory_of(cell, pair);
@@ -135,7 +147,7 @@ void add_contact(const UnitCell &cell,
                   push.contact_radius,
                   material.effective_shear_modulus,
                   cell.contact.friction_coefficient * push.force);
-  if (cell.contact.tangential_law == TangentialLaw::none || push.force == 0) {
+  if (cell.contact.tangential_law == TangentialLaw::none) {
     rub.setZero();
     lost = 0;
   }
@@ -152,8 +164,35 @@ void add_contact(const UnitCell &cell,
   sum.force[j] -= on_first;
   sum.torque[i] += arm_i / ri * normal.cross(rub);
   sum.torque[j] += arm_j / rj * normal.cross(rub);
+  return true;
+}
+
+/// Books what the contact of a pair that no longer overlaps had stored.
+void add_opening(const UnitCell &cell, Pair pair, Oracle &sum)
+{
+  const ContactMemory old = memory_of(cell, pair);
+  const double shear_modulus =
+      pair_material(cell.material_of(pair.first), cell.material_of(pair.second))
+          .effective_shear_modulus;
+  if (cell.contact.tangential_law != TangentialLaw::none)
+    sum.totals.lost_work +=
+        stored(old.tangential_force.norm(), shear_modulus, old.contact_radius);
 }
 } // namespace
+
+UnitCell with_history(UnitCell cell, const ContactModel &contact, double size)
+{
+  cell.contact = contact;
+  cell.contacts.clear();
+  cell.more_memory.clear();
+  LaidOut<double> laid_out(cell, InstructionSet::scalar);
+  for (std::uint64_t seed : {501, 502}) {
+    SmallMotion motion =
+        random_motion(cell.size(), seed, size, cell.mean_radius());
+    laid_out.sweep(motion, Memory::written);
+  }
+  return laid_out.remembering();
+}
 
 Oracle by_hand(const UnitCell &cell, const SmallMotion &motion)
 {
@@ -162,19 +201,24 @@ Oracle by_hand(const UnitCell &cell, const SmallMotion &motion)
   sum.force.assign(n, Vector3::Zero());
   sum.torque.assign(n, Vector3::Zero());
   for (std::uint32_t i = 0; i < n; ++i)
-    for (std::uint32_t j = i + 1; j < n; ++j)
+    for (std::uint32_t j = i + 1; j < n; ++j) {
+      bool overlap = false;
       for (int k = 0; k < 27; ++k) {
         Vector3 s = cell.place[j] - cell.place[i];
         for (int a = 0; a < 3; ++a)
           s[a] -= std::floor(s[a]);
         const Vector3 image(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
-        add_contact(cell,
-                    motion,
-                    {i, j},
-                    motion.affine.stretch * (cell.box.h * (s + image)) +
-                        motion.moved[j] - motion.moved[i],
-                    sum);
+        overlap |=
+            add_contact(cell,
+                        motion,
+                        {i, j},
+                        motion.affine.stretch * (cell.box.h * (s + image)) +
+                            motion.moved[j] - motion.moved[i],
+                        sum);
       }
+      if (!overlap)
+        add_opening(cell, {i, j}, sum);
+    }
   return sum;
 }
 

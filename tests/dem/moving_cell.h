@@ -74,14 +74,21 @@ struct LaidOut {
     return result;
   }
 
-  /// The memories after the last sweep that wrote them, sorted.
-  std::vector<ContactMemory> memories()
+  /// The cell with the memories after the last sweep that wrote them.
+  UnitCell remembering() const
   {
     UnitCell copy = cell;
     layout.read_memories(copy);
-    return copy.contacts;
+    return copy;
   }
+
+  /// The memories after the last sweep that wrote them, sorted.
+  std::vector<ContactMemory> memories() const { return remembering().contacts; }
 };
+
+/// The cell with a history of its own contact model: its grains have moved
+/// twice at random, up to `size` [m], and are back in place.
+UnitCell with_history(UnitCell cell, const ContactModel &contact, double size);
 
 /// Forces and torques straight from the textbook: every pair, every image, and
 /// the memories that are left.

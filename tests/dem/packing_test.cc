@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <dem/cell_shape.h>
 #include <dem/measures.h>
 #include <dem/packing.h>
 #include <dem/random_start.h>
 #include <dem/unit_cell.h>
 #include <tests/dem/sample_cells.h>
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 namespace tamp::dem
@@ -21,6 +24,13 @@ using test::message_of;
 double pressure(const UnitCell &cell)
 {
   return -measure(cell).stress.trace() / 3;
+}
+
+/// What make_packing() says of a request that it refuses.
+std::string refusal(const PackingRequest &request)
+{
+  return message_of<std::invalid_argument>(
+      [&] { (void)make_packing(request); });
 }
 
 TEST(Packing, HasThePressureThatWasAskedFor)
@@ -75,7 +85,7 @@ TEST(Packing, StartsWithoutAPast)
   EXPECT_TRUE(cell.velocity.empty());
   EXPECT_TRUE(cell.spin.empty());
   EXPECT_EQ(cell.contact, alumina_request().contact);
-  EXPECT_EQ(cell.materials, std::vector{alumina_request().material});
+  EXPECT_EQ(cell.materials.at(0), alumina_request().material);
 }
 
 TEST(Packing, FrictionWhilePackingMakesItLooser)
@@ -101,12 +111,131 @@ TEST(Packing, RandomStartTouchesNothing)
                 cell.radius[i] + cell.radius[j]);
 }
 
+/// Pressure along z over the mean of those across.
+double axial_share(const UnitCell &cell)
+{
+  const Matrix3 stress = measure(cell).stress;
+  return 0.5 * (stress(0, 0) + stress(1, 1)) / stress(2, 2);
+}
+
+PackingRequest uniaxial_request()
+{
+  PackingRequest request = alumina_request();
+  request.goal.compression = Compression::uniaxial;
+  return request;
+}
+
+TEST(UniaxialPacking, KeepsItsLateralEdgesAndItsAxialPressure)
+{
+  const PackingRequest request = uniaxial_request();
+  const UnitCell loose = random_start(request), cell = make_packing(request);
+  EXPECT_EQ(cell.box.h.leftCols<2>(), loose.box.h.leftCols<2>());
+  EXPECT_LT(cell.box.h(2, 2), 0.65 * loose.box.h(2, 2)); // .35 / .6 and less
+  constexpr double promised = 0.01;                      // in dem/compression.h
+  EXPECT_NEAR(-measure(cell).stress(2, 2), 0.5e6, promised * 0.5e6);
+  // At rest earth pressure with mu = 0.35: Jaky's 1 - sin(phi) of 0.5 to 0.7;
+  // an isotropic cell of 200 grains has 1 within a tenth or so.
+  EXPECT_LT(axial_share(cell), 0.8);
+  EXPECT_GT(axial_share(cell), 0.4);
+  EXPECT_GT(axial_share(alumina_cell()), 0.85);
+}
+
+TEST(UniaxialPacking, IsAboutCubicWhenItIsHandedOver)
+{
+  const UnitCell cell = make_packing(uniaxial_request());
+  // It jams between 0.57 and 0.63, and is cubic at 0.6.
+  EXPECT_NEAR(cell.box.h(2, 2) / cell.box.h(0, 0), 1, 0.06);
+}
+
+TEST(PackingToDensity, MeetsTheDensityAtEquilibrium)
+{
+  for (auto compression : {Compression::isotropic, Compression::uniaxial}) {
+    PackingRequest request = alumina_request();
+    request.goal.compression = compression;
+    request.goal.target = CompressionTarget::relative_density;
+    request.goal.relative_density = 0.64;
+    UnitCell cell = make_packing(request);
+    constexpr double rounding = 1e-12; // the last step is as long as needed
+    EXPECT_NEAR(cell.relative_density(), 0.64, rounding);
+    EXPECT_GT(pressure(cell), 1e6); // jammed: 0.5 MPa takes about 0.6
+    const CellAnswer answer = deform(cell, Stretch::Identity(), {});
+    EXPECT_EQ(answer.outcome, Outcome::settled);
+    EXPECT_LE(answer.evaluations, 2u);
+  }
+}
+
+TEST(PackingToDensity, BelowJammingNoGrainPushes)
+{
+  PackingRequest request = alumina_request();
+  request.goal.target = CompressionTarget::relative_density;
+  request.goal.relative_density = 0.5;
+  const UnitCell cell = make_packing(request);
+  EXPECT_NEAR(cell.relative_density(), 0.5, 1e-12);
+  // What is left lies below the force floor of 1e-7 E d^2: 350 Pa.
+  EXPECT_LT(std::abs(pressure(cell)), 350);
+}
+
+TEST(Packing, TellsOfEveryStep)
+{
+  std::vector<double> density, stress;
+  const UnitCell cell = make_packing(
+      alumina_request(), [&](const UnitCell &now, const CellAnswer &answer) {
+        density.push_back(now.relative_density());
+        stress.push_back(goal_pressure(Compression::isotropic, answer.stress));
+      });
+  ASSERT_GT(density.size(), 50u); // ln(.6/.35)/3 in steps of at most 2e-3
+  EXPECT_TRUE(std::ranges::is_sorted(density));
+  EXPECT_NEAR(density.front(), 0.35, 0.003);
+  EXPECT_EQ(density.back(), cell.relative_density());
+  EXPECT_EQ(cell, alumina_cell()); // being watched changes nothing
+  EXPECT_NEAR(stress.back(), 0.5e6, 0.01 * 0.5e6);
+}
+
+TEST(CellShape, IsCubicWhereThatIsWideEnough)
+{
+  EXPECT_EQ(cell_shape(alumina_request()), 1);
+}
+
+TEST(CellShape, FewGrainsStandTallerAndStayWideEnoughToFullDensity)
+{
+  PackingRequest request = alumina_request();
+  request.grain_count = 60;
+  request.goal.pressure = 50e3; // loose: the worst case for the height
+  EXPECT_GT(cell_shape(request), 1.3);
+  PackingRequest cube = request;
+  cube.edge_ratio = 1;
+  EXPECT_NE(refusal(cube).find("edge ratio of the cell = 1"),
+            std::string::npos);
+  UnitCell cell = make_packing(request);
+  EXPECT_NEAR(cell.box.h(2, 2) / cell.box.h(0, 0), cell_shape(request), 1e-12);
+  // The map itself judges: it throws where nearest images would fail. Far
+  // beyond what contact laws of pairs can say.
+  Stretch shrink = Stretch::Identity();
+  while (cell.relative_density() < 0.99) {
+    shrink(2, 2) = std::max(0.97, cell.relative_density());
+    ASSERT_NO_THROW(deform(cell, shrink, {}));
+  }
+}
+
+TEST(CellShape, IsRefusedWhereNearestImagesWouldFail)
+{
+  PackingRequest request = alumina_request();
+  request.grain_count = 25; // no shape is wide enough in all directions
+  EXPECT_NE(refusal(request).find("grain count = 25"), std::string::npos)
+      << refusal(request);
+  request = alumina_request();
+  request.edge_ratio = 0.4;
+  EXPECT_NE(refusal(request).find("edge ratio of the cell = 0.4"),
+            std::string::npos)
+      << refusal(request);
+  request.edge_ratio = 20; // too slender
+  EXPECT_NE(refusal(request).find("edge ratio of the cell = 20"),
+            std::string::npos)
+      << refusal(request);
+}
+
 TEST(Packing, RefusalsNameTheValue)
 {
-  const auto refusal = [](const PackingRequest &request) {
-    return message_of<std::invalid_argument>(
-        [&] { (void)make_packing(request); });
-  };
   const auto names = [](const std::string &message, const char *part) {
     EXPECT_NE(message.find(part), std::string::npos) << message;
   };
@@ -114,8 +243,14 @@ TEST(Packing, RefusalsNameTheValue)
   request.grain_count = 7;
   names(refusal(request), "grain count = 7");
   request = alumina_request();
-  request.pressure = -3;
+  request.goal.pressure = -3;
   names(refusal(request), "packing pressure = -3");
+  request = alumina_request();
+  request.goal.target = CompressionTarget::relative_density;
+  request.goal.relative_density = 1.2;
+  names(refusal(request), "relative density of the packing = 1.2");
+  request.goal.relative_density = 0.3;
+  names(refusal(request), "relative density of the packing = 0.3");
   request = alumina_request();
   request.initial_relative_density = 0.7;
   names(refusal(request), "initial relative density = 0.7");

@@ -31,7 +31,7 @@ PackingRequest alumina_request()
   request.sizes.maximum_diameter = 650e-6;
   request.material = {3.5e9, 0.3, 2000, 50e6};
   request.contact.friction_coefficient = 0.35;
-  request.pressure = 0.5e6;
+  request.goal.pressure = 0.5e6;
   return request;
 }
 
@@ -106,6 +106,35 @@ UnitCell fcc_cell(double overlap, const ContactModel &contact)
   cell.radius.assign(cell.place.size(), radius);
   touch(cell);
   return cell;
+}
+
+std::vector<ContactModel> every_contact_model()
+{
+  std::vector<ContactModel> models;
+  for (NormalLaw normal : {NormalLaw::hertz,
+                           NormalLaw::thornton_ning,
+                           NormalLaw::jkr,
+                           NormalLaw::thornton_ning_jkr,
+                           NormalLaw::storakers,
+                           NormalLaw::mdr})
+    for (TangentialLaw tangential : {TangentialLaw::none,
+                                     TangentialLaw::mindlin,
+                                     TangentialLaw::mindlin_deresiewicz})
+      for (RollingLaw rolling : {RollingLaw::none, RollingLaw::epsd})
+        models.push_back({.normal_law = normal,
+                          .tangential_law = tangential,
+                          .rolling_law = rolling,
+                          .work_of_adhesion = 5,
+                          .restitution_coefficient = 0.7});
+  return models;
+}
+
+void mix_species(UnitCell &cell)
+{
+  cell.materials = {{70e9, 0.3, 2650, 0.5e9}, {210e9, 0.28, 7800, 1.2e9}};
+  cell.species.resize(cell.size());
+  for (std::size_t i = 0; i < cell.size(); ++i)
+    cell.species[i] = i % 2;
 }
 
 Stretch uniaxial(double log_strain)

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 namespace tamp::dem::test
 {
@@ -32,6 +33,13 @@ UnitCell random_cell(std::size_t count, std::uint64_t seed);
 /// A face-centred cubic packing of equal grains of radius 100 um, 3 x 3 x 3
 /// cubes, whose contacts overlap by `overlap` times the distance of centres.
 UnitCell fcc_cell(double overlap, const ContactModel &contact);
+
+/// Every normal law with every tangential law, without and with a rolling law;
+/// adhesion and damping for the laws that know them.
+std::vector<ContactModel> every_contact_model();
+
+/// Gives every other grain a stiffer, harder and heavier material.
+void mix_species(UnitCell &cell);
 
 /// exp(log_strain) along y, nothing across.
 Stretch uniaxial(double log_strain);

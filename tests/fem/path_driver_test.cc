@@ -6,12 +6,14 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <numbers>
 
 namespace tamp::fem
 {
 namespace
 {
 using Control = ComponentTarget::Control;
+using Tensor = dealii::Tensor<2, 3>;
 
 constexpr double E = 1e9, nu = 0.25;
 
@@ -271,22 +273,87 @@ TEST(PathDriver, GivesUpAfterTooManyCuts)
 TEST(PathDriver, GradientsAreTakenAsTheyAre)
 {
   auto points = elastic_points();
-  std::vector<dealii::Tensor<2, 3>> gradients(
-      2, dealii::Tensor<2, 3>(dealii::unit_symmetric_tensor<3>()));
+  PathStage stage;
+  auto &gradients = stage.gradients;
+  gradients.assign(2, Tensor(dealii::unit_symmetric_tensor<3>()));
   gradients[0][0][1] = 0.1;
   gradients[1][0][1] = 0.1;
   gradients[1][2][2] = 0.97;
-  std::vector<PathRecord> records;
-  EXPECT_EQ(drive_gradients(
-                points,
-                gradients,
-                [&](const PathRecord &record) { records.push_back(record); }),
-            PathEnd::finished);
+  Log log = drive(points, {stage});
+  EXPECT_EQ(log.end, PathEnd::finished);
+  const auto &records = log.records;
   ASSERT_EQ(records.size(), 3u);
-  EXPECT_EQ((records[2].F - gradients[1]).norm(), 0);
+  for (unsigned i = 0; i < 3; ++i) // products with a unit tensor
+    for (unsigned j = 0; j < 3; ++j)
+      EXPECT_EQ(records[2].F[i][j], gradients[1][i][j]);
   EXPECT_NEAR(records[2].response.relative_density, 0.6 / 0.97, 1e-12);
   gradients[1][2][2] = -1;
-  EXPECT_EQ(drive_gradients(points, gradients, {}), PathEnd::not_converged);
+  EXPECT_EQ(drive(points, {stage}).end, PathEnd::not_converged);
+}
+
+TEST(PathDriver, GradientsCountFromTheStartOfTheirStage)
+{
+  auto points = elastic_points();
+  PathStage shear;
+  shear.gradients.assign(1, Tensor(dealii::unit_symmetric_tensor<3>()));
+  shear.gradients[0][0][2] = 0.2;
+  const Log log = drive(points, {press(-0.01), shear, shear});
+  ASSERT_EQ(log.end, PathEnd::finished);
+  const Tensor &F = log.records.back().F;
+  // Shears add up; the height is that of the compression before, to round-off.
+  EXPECT_NEAR(F[0][2], 0.4 * std::exp(-0.01), 1e-14);
+  EXPECT_NEAR(F[2][2], std::exp(-0.01), 1e-14);
+}
+
+TEST(PathDriver, ComponentsKeepTheRotationOfTheGradients)
+{
+  // A quarter turn, then compression along z, then back.
+  auto points = elastic_points();
+  PathStage turn, back;
+  for (const double angle : {0.5, 1.0}) {
+    Tensor Q(dealii::unit_symmetric_tensor<3>());
+    Q[0][0] = Q[2][2] = std::cos(angle * std::numbers::pi / 2);
+    Q[0][2] = std::sin(angle * std::numbers::pi / 2);
+    Q[2][0] = -Q[0][2];
+    turn.gradients.push_back(Q);
+    back.gradients.push_back(transpose(Q));
+  }
+  const Log log = drive(points, {turn, press(-0.01), back});
+  ASSERT_EQ(log.end, PathEnd::finished);
+  const PathRecord &pressed = log.records[log.records.size() - 3];
+  EXPECT_NEAR(pressed.F[2][0], -std::exp(-0.01), 1e-14); // z was -x
+  const auto &stress = log.records.back().response.stress;
+  // What was pressed along z now stands along x, to round-off of the turns.
+  EXPECT_NEAR(stress[0][0], pressed.response.stress[2][2], 1e-6 * E * 0.01);
+  EXPECT_NEAR(stress[2][2], pressed.response.stress[0][0], 1e-6 * E * 0.01);
+}
+
+TEST(PathDriver, SimpleShearOfAnElasticSolidHasItsModulus)
+{
+  auto points = elastic_points();
+  PathStage shear;
+  for (unsigned i = 1; i <= 10; ++i) {
+    shear.gradients.emplace_back(dealii::unit_symmetric_tensor<3>());
+    shear.gradients.back()[0][2] = 1e-4 * i;
+  }
+  const Log log = drive(points, {shear});
+  ASSERT_EQ(log.records.size(), 11u);
+  // G gamma, to second order in gamma.
+  EXPECT_NEAR(log.records.back().response.stress[0][2],
+              E / (2 * (1 + nu)) * 1e-3,
+              1e-3 * E / (2 * (1 + nu)) * 1e-3);
+}
+
+TEST(PathDriver, AGradientThatFailsIsCut)
+{
+  Brittle points(6e-3);
+  PathStage stage;
+  stage.gradients.emplace_back(dealii::unit_symmetric_tensor<3>());
+  stage.gradients[0][2][2] = 0.98;
+  const Log log = drive(points, {stage});
+  EXPECT_EQ(log.end, PathEnd::finished);
+  EXPECT_EQ(log.records.size(), 1u + 4);
+  EXPECT_EQ(log.records.back().F[2][2], 0.98);
 }
 } // namespace
 } // namespace tamp::fem

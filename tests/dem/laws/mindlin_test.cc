@@ -151,9 +151,34 @@ TEST_F(RubbingPair, NoForceWithoutNormalForce)
   normal_force = 0;
   slip = 1e-9 * along;
   const Vector3 old = 1e-4 * along;
+  const double stored = energy(old, old_radius);
   EXPECT_EQ(rub(old).force.norm(), 0);
-  EXPECT_NEAR(rub(old).lost_work, 0, 1e-12 * energy(old, radius));
+  // Nothing resists the slip, and nothing is left of what was stored.
+  EXPECT_NEAR(rub(old).lost_work, stored, 1e-12 * stored);
   EXPECT_EQ(law.cap(NormalAnswer<double>{-1e-3, radius, 0}), 0);
+}
+
+TEST_F(RubbingPair, FallingCapTakesItsShareOfTheEnergy)
+{
+  const Vector3 old = 0.9 * cap * along;
+  const double stored = energy(old, old_radius);
+  for (double share : {0.8, 0.5, 0.0}) {
+    normal_force = share * 2e-3; // no slip at all
+    const Answer answer = rub(old);
+    const double lost = stored - energy(answer.force, radius);
+    EXPECT_GT(lost, 0.1 * stored); // there is something to compare
+    EXPECT_NEAR(answer.lost_work, lost, 1e-12 * stored);
+  }
+}
+
+TEST_F(RubbingPair, OpeningContactLosesAllThatIsStored)
+{
+  normal_force = radius = 0;
+  slip = 1e-9 * along;
+  const Vector3 old = 1e-4 * along;
+  const double stored = energy(old, old_radius);
+  EXPECT_EQ(rub(old).force.norm(), 0);
+  EXPECT_NEAR(rub(old).lost_work, stored, 1e-12 * stored);
 }
 
 TEST(NoTangentialForce, IsNone)
