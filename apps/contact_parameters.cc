@@ -3,14 +3,32 @@
 #include <apps/parameter_table.h>
 #include <apps/stage_reader.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 #include <numbers>
 
 namespace tamp::apps
 {
 namespace
 {
+// Order as in the enumerations of dem.
+const std::vector<std::string> normal_laws{
+    "hertz", "thornton-ning", "jkr", "thornton-ning-jkr", "storakers", "mdr"};
+const std::vector<std::string> tangential_laws{
+    "none", "mindlin", "mindlin-deresiewicz"};
+const std::vector<std::string> rolling_laws{"none", "epsd"};
+
+template <class Choice>
+Choice chosen(const ParameterTable &table,
+              const std::string &path,
+              const std::vector<std::string> &choices)
+{
+  return static_cast<Choice>(std::distance(
+      choices.begin(), std::ranges::find(choices, table.word(path))));
+}
+
 const std::vector<std::string> partners{"grain", "wall", "rigid wall"};
 // In the order of their places.
 const std::vector<std::string> coordinates{"overlap",
@@ -20,6 +38,28 @@ const std::vector<std::string> coordinates{"overlap",
                                            "rotation_x",
                                            "rotation_y",
                                            "rotation_z"};
+
+void declare_laws(ParameterTable &table)
+{
+  table.choice(
+      "Normal law",
+      "thornton-ning",
+      normal_laws,
+      "How grains push: elastic (hertz; jkr with adhesion), elastic and "
+      "perfectly plastic (thornton-ning; thornton-ning-jkr with adhesion), "
+      "plastic (storakers), or at high relative density (mdr)");
+  table.choice(
+      "Tangential law",
+      "mindlin",
+      tangential_laws,
+      "How grains rub: none, stick or slide, or slip from the rim of the "
+      "contact inwards");
+  table.choice(
+      "Rolling law",
+      "none",
+      rolling_laws,
+      "How grains resist rolling and twisting: not, or by a spring that slips");
+}
 
 PairStage read_stage(const std::string &text, unsigned number, PairPlace place)
 {
@@ -161,6 +201,61 @@ void read_impact(const ParameterTable &table, PairInput &pair)
       static_cast<unsigned>(table.whole("Pair/Record interval"));
 }
 } // namespace
+
+void declare_contact(ParameterTable &table)
+{
+  table.enter("Contact");
+  declare_laws(table);
+  table.quantity("Friction coefficient",
+                 "0.3",
+                 dimension::number,
+                 not_negative,
+                 "mu between grains");
+  table.quantity("Limiting contact pressure",
+                 "0.5 GPa",
+                 dimension::pressure,
+                 positive,
+                 "p_y, where the pressure in a contact is cut off; laws with "
+                 "plasticity only");
+  table.quantity(
+      "Work of adhesion",
+      "0 J/m2",
+      dimension::surface_energy,
+      not_negative,
+      "Gamma, of the interface: twice the surface energy of equal solids; "
+      "jkr and thornton-ning-jkr");
+  table.quantity(
+      "Rolling friction coefficient",
+      "0.1",
+      dimension::number,
+      not_negative,
+      "mu_r: largest rolling moment over reduced radius x normal force; "
+      "rolling law epsd");
+  table.quantity(
+      "Restitution coefficient",
+      "1",
+      dimension::number,
+      {0, 1, true, false},
+      "Of an elastic impact, by viscous damping in the contact; 1: none. "
+      "Felt by dynamics and impacts only");
+  table.leave();
+}
+
+void read_contact(const ParameterTable &table, dem::ContactModel &contact)
+{
+  contact.normal_law =
+      chosen<dem::NormalLaw>(table, "Contact/Normal law", normal_laws);
+  contact.tangential_law = chosen<dem::TangentialLaw>(
+      table, "Contact/Tangential law", tangential_laws);
+  contact.rolling_law =
+      chosen<dem::RollingLaw>(table, "Contact/Rolling law", rolling_laws);
+  contact.work_of_adhesion = table.number("Contact/Work of adhesion");
+  contact.rolling_friction_coefficient =
+      table.number("Contact/Rolling friction coefficient");
+  contact.restitution_coefficient =
+      table.number("Contact/Restitution coefficient");
+  contact.friction_coefficient = table.number("Contact/Friction coefficient");
+}
 
 std::vector<PairStage> parse_pair_stages(const std::string &stages)
 {

@@ -53,6 +53,12 @@ struct PairInput {
   unsigned record_interval = 10;
 };
 
+/// @name Section Contact
+/// @{
+void declare_contact(ParameterTable &table);
+void read_contact(const ParameterTable &table, dem::ContactModel &contact);
+/// @}
+
 /// @name Section Pair
 /// @{
 void declare_pair(ParameterTable &table);

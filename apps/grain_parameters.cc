@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <apps/contact_parameters.h>
 #include <apps/input_sections.h>
 #include <apps/parameter_table.h>
 #include <apps/size_table_file.h>
@@ -17,11 +18,6 @@ const std::vector<std::string> distributions{
     "uniform", "normal", "lognormal", "table"};
 const std::vector<std::string> compressions{"isotropic", "uniaxial"};
 const std::vector<std::string> targets{"pressure", "relative density"};
-const std::vector<std::string> normal_laws{
-    "hertz", "thornton-ning", "jkr", "thornton-ning-jkr", "storakers", "mdr"};
-const std::vector<std::string> tangential_laws{
-    "none", "mindlin", "mindlin-deresiewicz"};
-const std::vector<std::string> rolling_laws{"none", "epsd"};
 const std::vector<std::string> methods{"quasi-static", "dynamics"};
 
 template <class Choice>
@@ -105,67 +101,6 @@ void declare_sizes(ParameterTable &table)
                  "p_y of these grains; a contact has the smaller one of its "
                  "grains");
   table.leave();
-  table.leave();
-}
-
-void declare_laws(ParameterTable &table)
-{
-  table.choice(
-      "Normal law",
-      "thornton-ning",
-      normal_laws,
-      "How grains push: elastic (hertz; jkr with adhesion), elastic and "
-      "perfectly plastic (thornton-ning; thornton-ning-jkr with adhesion), "
-      "plastic (storakers), or at high relative density (mdr)");
-  table.choice(
-      "Tangential law",
-      "mindlin",
-      tangential_laws,
-      "How grains rub: none, stick or slide, or slip from the rim of the "
-      "contact inwards");
-  table.choice(
-      "Rolling law",
-      "none",
-      rolling_laws,
-      "How grains resist rolling and twisting: not, or by a spring that slips");
-}
-
-void declare_contact(ParameterTable &table)
-{
-  table.enter("Contact");
-  declare_laws(table);
-  table.quantity("Friction coefficient",
-                 "0.3",
-                 dimension::number,
-                 not_negative,
-                 "mu between grains");
-  table.quantity("Limiting contact pressure",
-                 "0.5 GPa",
-                 dimension::pressure,
-                 positive,
-                 "p_y, where the pressure in a contact is cut off; laws with "
-                 "plasticity only");
-  table.quantity(
-      "Work of adhesion",
-      "0 J/m2",
-      dimension::surface_energy,
-      not_negative,
-      "Gamma, of the interface: twice the surface energy of equal solids; "
-      "jkr and thornton-ning-jkr");
-  table.quantity(
-      "Rolling friction coefficient",
-      "0.1",
-      dimension::number,
-      not_negative,
-      "mu_r: largest rolling moment over reduced radius x normal force; "
-      "rolling law epsd");
-  table.quantity(
-      "Restitution coefficient",
-      "1",
-      dimension::number,
-      {0, 1, true, false},
-      "Of an elastic impact, by viscous damping in the contact; 1: none. "
-      "Felt by dynamics and impacts only");
   table.leave();
 }
 
@@ -292,22 +227,6 @@ void declare_cell(ParameterTable &table)
                  not_negative,
                  "Share of the critical damping of a mean grain; dynamics");
   table.leave();
-}
-
-void read_contact(const ParameterTable &table, dem::ContactModel &contact)
-{
-  contact.normal_law =
-      chosen<dem::NormalLaw>(table, "Contact/Normal law", normal_laws);
-  contact.tangential_law = chosen<dem::TangentialLaw>(
-      table, "Contact/Tangential law", tangential_laws);
-  contact.rolling_law =
-      chosen<dem::RollingLaw>(table, "Contact/Rolling law", rolling_laws);
-  contact.work_of_adhesion = table.number("Contact/Work of adhesion");
-  contact.rolling_friction_coefficient =
-      table.number("Contact/Rolling friction coefficient");
-  contact.restitution_coefficient =
-      table.number("Contact/Restitution coefficient");
-  contact.friction_coefficient = table.number("Contact/Friction coefficient");
 }
 
 std::filesystem::path size_table(const ParameterTable &table,
