@@ -14,6 +14,8 @@ namespace tamp::apps
 
 /// A material point along a path.
 int run_probe(const RunOptions &options);
+/// One pair of grains along a path or through an impact.
+int run_contact(const RunOptions &options);
 /// Packings of grains.
 int run_pack(const RunOptions &options);
 /// A compact in a die.

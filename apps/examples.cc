@@ -49,7 +49,7 @@ std::string title_of(const fs::path &example)
 int list_examples()
 {
   for (const std::string &name : names_of_examples())
-    fmt::print("{:<18} {}\n", name, title_of(examples_folder() / name));
+    fmt::print("{:<20} {}\n", name, title_of(examples_folder() / name));
   return exit_done;
 }
 

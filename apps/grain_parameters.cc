@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <apps/contact_parameters.h>
 #include <apps/input_sections.h>
 #include <apps/parameter_table.h>
 #include <apps/size_table_file.h>
@@ -17,8 +18,6 @@ const std::vector<std::string> distributions{
     "uniform", "normal", "lognormal", "table"};
 const std::vector<std::string> compressions{"isotropic", "uniaxial"};
 const std::vector<std::string> targets{"pressure", "relative density"};
-const std::vector<std::string> normal_laws{"hertz", "thornton-ning"};
-const std::vector<std::string> tangential_laws{"none", "mindlin"};
 const std::vector<std::string> methods{"quasi-static", "dynamics"};
 
 template <class Choice>
@@ -102,32 +101,6 @@ void declare_sizes(ParameterTable &table)
                  "p_y of these grains; a contact has the smaller one of its "
                  "grains");
   table.leave();
-  table.leave();
-}
-
-void declare_contact(ParameterTable &table)
-{
-  table.enter("Contact");
-  table.choice("Normal law",
-               "thornton-ning",
-               normal_laws,
-               "How grains push: elastic, or elastic and perfectly plastic");
-  table.choice("Tangential law",
-               "mindlin",
-               tangential_laws,
-               "How grains rub; none: no friction");
-  table.choice("Rolling law", "none", {"none"}, "How grains resist rolling");
-  table.quantity("Friction coefficient",
-                 "0.3",
-                 dimension::number,
-                 not_negative,
-                 "mu between grains");
-  table.quantity("Limiting contact pressure",
-                 "0.5 GPa",
-                 dimension::pressure,
-                 positive,
-                 "p_y, where the pressure in a contact is cut off; "
-                 "thornton-ning only");
   table.leave();
 }
 
@@ -255,6 +228,7 @@ void declare_cell(ParameterTable &table)
                  "Share of the critical damping of a mean grain; dynamics");
   table.leave();
 }
+
 std::filesystem::path size_table(const ParameterTable &table,
                                  const std::string &path)
 {
@@ -370,12 +344,7 @@ void read_grains(const ParameterTable &table,
     packing.others[0].material.limiting_pressure =
         table.number(other + "Limiting contact pressure");
   }
-  dem::ContactModel &contact = packing.contact;
-  contact.normal_law =
-      chosen<dem::NormalLaw>(table, "Contact/Normal law", normal_laws);
-  contact.tangential_law = chosen<dem::TangentialLaw>(
-      table, "Contact/Tangential law", tangential_laws);
-  contact.friction_coefficient = table.number("Contact/Friction coefficient");
+  read_contact(table, packing.contact);
 
   packing.seed = static_cast<std::uint64_t>(table.whole("Packing/Seed"));
   packing.initial_relative_density =

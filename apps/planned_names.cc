@@ -8,13 +8,10 @@ namespace tamp::apps
 {
 namespace
 {
-constexpr std::array<std::string_view, 4> entries{
-    "Contact/Rolling friction coefficient",
-    "Contact/Work of adhesion",
-    "Die/Punch friction coefficient",
-    "Output/Checkpoint interval"};
-constexpr std::array<std::string_view, 7> commands{
-    "calibrate", "check", "compare", "contact", "fit", "inspect", "selftest"};
+constexpr std::array<std::string_view, 2> entries{
+    "Die/Punch friction coefficient", "Output/Checkpoint interval"};
+constexpr std::array<std::string_view, 6> commands{
+    "calibrate", "check", "compare", "fit", "inspect", "selftest"};
 } // namespace
 
 bool is_planned_entry(std::string_view path)

@@ -38,6 +38,9 @@ void write_map(const std::filesystem::path &file,
 /// 1, of the stages that press. The density map needs density_map.dat.
 std::vector<Plot> die_plots(const std::vector<unsigned> &press_stages);
 
+/// Plots of ../curve.csv of a pair of grains.
+std::vector<Plot> contact_plots(bool impact);
+
 /// Plots of ../curve.csv of packings.
 std::vector<Plot> pack_plots();
 

@@ -79,9 +79,12 @@ std::string with_unit(const std::string &name, double value)
     return fmt::format("{:.4g} N", value);
   if (ends("[m]"))
     return fmt::format("{:.4g} mm", value / 1e-3);
-  if (ends("[s]"))
+  if (ends("[s]") && value >= 0.1)
     return seconds(value);
-  return fmt::format("{:.4g}", value);
+  const std::string unit = name.substr(name.find('[') + 1);
+  return ends("[-]")
+             ? fmt::format("{:.4g}", value)
+             : fmt::format("{:.4g} {}", value, unit.substr(0, unit.find(']')));
 }
 
 bool of_a_run(const fs::path &folder)

@@ -163,6 +163,7 @@ void check_grain_points(const ParameterTable &table,
 void declare_parameters(ParameterTable &table)
 {
   declare_grains(table);
+  declare_pair(table);
   declare_material(table);
   declare_path(table);
   declare_die(table);
@@ -173,14 +174,20 @@ RunInput read_input(const ParameterTable &table, Need need)
 {
   RunInput input;
   read_grains(table, input.material);
+  const bool everything = need == Need::everything;
+  read_output(table, input.output);
+  if (everything || need == Need::contact)
+    input.pair = read_pair(
+        table, input.material.packing.material, input.material.packing.contact);
+  if (need == Need::contact)
+    return input;
   read_material(table, input.material);
   if (need == Need::pack ||
       input.material.kind == coupling::MaterialKind::unit_cell)
     check_packing(table, input.material);
-  if (need == Need::probe || need == Need::everything)
+  if (everything || need == Need::probe)
     read_path(table, input);
-  read_output(table, input.output);
-  if (need == Need::die || need == Need::everything)
+  if (everything || need == Need::die)
     check_grain_points(
         table, input, read_die(table, input.material.kind, input.die));
   read_replicas(table, need, input);

@@ -2,6 +2,7 @@
 #ifndef apps_run_input_h
 #define apps_run_input_h
 
+#include <apps/contact_parameters.h>
 #include <apps/probe_path.h>
 #include <coupling/material_factory.h>
 #include <fem/die_settings.h>
@@ -31,6 +32,7 @@ struct RunInput {
   ProbePath path;
   double stress_tolerance = 1e-3; ///< of the probe's stress control [-]
   fem::DieSettings die;
+  PairInput pair;
   OutputSettings output;
   std::size_t replicas = 1; ///< packings that tamp pack makes
   /// Files that the run reads besides the input.
@@ -40,9 +42,9 @@ struct RunInput {
 /// Declares every parameter of the program.
 void declare_parameters(ParameterTable &table);
 
-/// Which part of the input a command needs: the other part may be left as it
-/// is, even if it does not fit the material.
-enum class Need { everything, probe, die, pack };
+/// Which part of the input a command needs: the other parts may be left as they
+/// are, even if they do not fit the material.
+enum class Need { everything, probe, die, pack, contact };
 
 /// Turns values into settings. Throws InputError where values do not fit
 /// together, or where a file that they name is missing.

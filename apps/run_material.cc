@@ -11,6 +11,19 @@ namespace
 constexpr double densest_of_pairs = 0.82;
 } // namespace
 
+void warn_of_contact_model(RunSession &session)
+{
+  const dem::ContactModel &model = session.input().material.packing.contact;
+  const bool adhesive = model.normal_law == dem::NormalLaw::jkr ||
+                        model.normal_law == dem::NormalLaw::thornton_ning_jkr;
+  if (adhesive && !(model.work_of_adhesion > 0))
+    session.warn("Contact/Work of adhesion is 0: the normal law is that "
+                 "without adhesion");
+  if (!adhesive && model.work_of_adhesion > 0)
+    session.warn("Contact/Work of adhesion is not felt: the normal law is one "
+                 "without adhesion");
+}
+
 std::string packing_title(const coupling::MaterialChoice &choice,
                           std::size_t count)
 {
@@ -42,8 +55,10 @@ coupling::Material prepare_material(RunSession &session, std::size_t count)
   const coupling::MaterialChoice &choice = session.input().material;
   RunLog &log = session.log();
   const bool cells = choice.kind == coupling::MaterialKind::unit_cell;
-  if (cells)
+  if (cells) {
+    warn_of_contact_model(session);
     log.begin(packing_title(choice, choice.same_packing ? 1 : count));
+  }
   try {
     auto material =
         coupling::make_material(choice, count, [&](std::size_t made) {

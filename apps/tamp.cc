@@ -166,6 +166,11 @@ int run(int argc, char **argv)
   add_run_options(*pack, options);
   pack->callback([&] { code = alone() ? run_pack(options) : exit_done; });
 
+  CLI::App *contact = app.add_subcommand(
+      "contact", "Take a pair of grains along a path or through an impact");
+  add_run_options(*contact, options);
+  contact->callback([&] { code = alone() ? run_contact(options) : exit_done; });
+
   add_other_commands(app, other, code);
   app.add_subcommand("cite", "Print BibTeX entries")->callback([&] {
     code = print_citations();

@@ -72,6 +72,7 @@ constexpr std::array kinds{
     Kind{dimension::density, "kg/m3", "a density", "2650 kg/m3"},
     Kind{dimension::rate, "1/s", "a rate", "1e-5 1/s"},
     Kind{dimension::speed, "m/s", "a speed", "5 mm/min"},
+    Kind{dimension::angular_speed, "rad/s", "a spin", "100 rad/s"},
     Kind{dimension::time, "s", "a time", "10 ms"},
     Kind{dimension::angle, "rad", "an angle", "30 deg"},
     Kind{dimension::surface_energy, "J/m2", "an energy per area", "0.2 J/m2"},

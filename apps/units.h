@@ -32,6 +32,7 @@ inline constexpr Dimension force{1, 1, -2, 0};
 inline constexpr Dimension density{-3, 1, 0, 0};
 inline constexpr Dimension rate{0, 0, -1, 0};
 inline constexpr Dimension speed{1, 0, -1, 0};
+inline constexpr Dimension angular_speed{0, 0, -1, 1};
 inline constexpr Dimension time{0, 0, 1, 0};
 inline constexpr Dimension angle{0, 0, 0, 1};
 inline constexpr Dimension surface_energy{0, 1, -2, 0};

@@ -22,7 +22,7 @@ expect 2 'a command' 'die, probe' -- "$tamp"
 expect 2 "'dye'" "'die'" -- "$tamp" dye bad.prm
 expect 2 "'fit'" 'not in this version' -- "$tamp" fit bad.prm
 for entry in 'Output/Checkpoint interval = 5' \
-  'Contact/Work of adhesion = 0'; do
+  'Die/Punch friction coefficient = 0'; do
   expect 2 "'${entry%%/*}'" '(not in this version)' -- "$tamp" probe bad.prm \
     -o results --set "$entry"
 done

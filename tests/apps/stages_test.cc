@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <apps/contact_parameters.h>
 #include <apps/probe_path.h>
 #include <apps/schedule.h>
 #include <apps/units.h>
@@ -13,6 +14,19 @@ using namespace tamp;
 using namespace tamp::apps;
 
 using Control = fem::ComponentTarget::Control;
+
+TEST(PairStages, GoOnFromWhereTheLastOneEnded)
+{
+  const auto stages = parse_pair_stages(
+      "overlap to 2 um in 100; slip_x to -1 um spin to 3 deg in 50 steps;");
+  ASSERT_EQ(stages.size(), 2u);
+  EXPECT_EQ(stages[0].steps, 100u);
+  EXPECT_EQ(stages[1].steps, 50u);
+  EXPECT_DOUBLE_EQ(stages[1].end[coordinate::overlap], 2e-6);
+  EXPECT_DOUBLE_EQ(stages[1].end[coordinate::slip_x], -1e-6);
+  EXPECT_NEAR(stages[1].end[coordinate::spin], 0.05235987756, 1e-11);
+  EXPECT_EQ(stages[1].end[coordinate::rotation_z], 0);
+}
 
 TEST(Schedule, ReadsPressUnloadEject)
 {
