@@ -36,10 +36,7 @@ public:
 
   /// Numbers of their own that the laws keep per contact, the same for all
   /// kinds.
-  std::size_t more() const
-  {
-    return laws_[0].more();
-  }
+  std::size_t more() const { return laws_[0].more(); }
 
 private:
   std::vector<PairLaws> laws_;

@@ -71,7 +71,8 @@ public:
   template <class V>
   V flow_pressure(const V &ratio) const
   {
-    return V(yield_stress_) * (V(1.0) + V(1.75) * negative_exponential(V(-4.4) * ratio));
+    return V(yield_stress_) *
+           (V(1.0) + V(1.75) * negative_exponential(V(-4.4) * ratio));
   }
 
   /// Area of the flat that the geometry of the sphere asks for [m2]:
