@@ -204,8 +204,10 @@ void declare_cell(ParameterTable &table)
              true,
              "Start from the last trial of the same step: half the work, same "
              "answer within the tolerance; quasi-static");
-  table.choice(
-      "Precision", "double", {"double"}, "Of the numbers grains move with");
+  table.choice("Precision",
+               "double",
+               {"double", "mixed"},
+               "Mixed: forces in single, places in double precision");
   table.quantity("Strain rate",
                  "1e-5 1/s",
                  dimension::rate,
@@ -366,6 +368,8 @@ void read_grains(const ParameterTable &table,
 
   dem::Driving &driving = material.driving;
   driving.method = chosen<dem::Method>(table, "Cell/Method", methods);
+  if (table.word("Cell/Precision") == "mixed")
+    driving.arithmetic.precision = dem::Precision::mixed;
   driving.quasi_static.unbalance_tolerance =
       table.number("Cell/Unbalance tolerance");
   driving.quasi_static.maximum_strain_increment =

@@ -89,6 +89,17 @@ public:
   /// larger: of unloading, and of the grains in bulk [N/m].
   double steepest_slope(const PairShape<double> &pair,
                         const NormalMemory<double> &memory) const;
+  /// Without adhesion nothing is lost as grains touch or part [J].
+  double lost_at_touch(const PairShape<double> &,
+                       const NormalMemory<double> &) const
+  {
+    return 0;
+  }
+  double lost_at_tear(const PairShape<double> &,
+                      const NormalMemory<double> &) const
+  {
+    return 0;
+  }
   /// Whether a side of the contact has yielded.
   bool is_plastic(const PairShape<double> &pair,
                   const NormalMemory<double> &memory) const;

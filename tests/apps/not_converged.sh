@@ -29,7 +29,7 @@ subsection Solver
   set First step         = 0.1
   set Maximum step       = 0.1
   set Minimum step       = 0.09
-  set Maximum iterations = 5
+  set Maximum iterations = 2
 end
 subsection Output
   set Plot format = svg

@@ -92,13 +92,12 @@ UnitCell sweep_cell(std::size_t count)
 
 /// Time steps of dynamics, everything included: forces with history and
 /// rotation, integration, the moving box, lists of pairs; 5e-7 of strain each.
-void measure_step(InstructionSet set, Precision precision, std::size_t count)
+double step_rate(UnitCell cell, const Arithmetic &arithmetic)
 {
-  UnitCell cell = sweep_cell(count);
   const double step_strain = 5e-7;
   Driving driving;
   driving.method = Method::dynamics;
-  driving.arithmetic = {precision, set};
+  driving.arithmetic = arithmetic;
   // The strain rate that makes a step of that strain.
   const double slow_rate = 1e-7, trial_strain = 2e-5;
   driving.dynamics.strain_rate = slow_rate;
@@ -107,29 +106,59 @@ void measure_step(InstructionSet set, Precision precision, std::size_t count)
       double(deform(trial, uniaxial(-trial_strain), driving).evaluations);
   driving.dynamics.strain_rate =
       step_strain * trial_steps * slow_rate / trial_strain;
-  const auto steps = double(std::max<std::size_t>(20, 400000 / count));
+  const double grains = double(cell.size());
+  const double steps = std::max(20.0, 400000 / grains);
   std::vector<double> rates;
-  for (int sample = 0; sample < 5; ++sample) {
+  for (int sample = 0; sample < 7; ++sample) {
     const double start = seconds();
     const CellAnswer answer =
         deform(cell, uniaxial(-step_strain * steps), driving);
-    rates.push_back(double(answer.evaluations) * double(count) /
-                    (seconds() - start));
+    rates.push_back(double(answer.evaluations) * grains / (seconds() - start));
   }
   std::ranges::sort(rates);
-  report("sweep." + name_of(set) +
-             (precision == Precision::mixed ? ".mixed." : ".double.") +
-             std::to_string(count),
-         rates[rates.size() / 2],
-         "particle-steps/s");
+  return rates[rates.size() / 2];
 }
 
 void measure_steps(std::size_t count)
 {
-  for (InstructionSet set : instruction_sets()) {
-    measure_step(set, Precision::double_precision, count);
-    measure_step(set, Precision::mixed, count);
-  }
+  const UnitCell cell = sweep_cell(count);
+  for (InstructionSet set : instruction_sets())
+    for (Precision precision : {Precision::double_precision, Precision::mixed})
+      report("sweep." + name_of(set) +
+                 (precision == Precision::mixed ? ".mixed." : ".double.") +
+                 std::to_string(count),
+             step_rate(cell, {precision, set}),
+             "particle-steps/s");
+}
+
+/// The same with other laws than Thornton-Ning and Mindlin, on the fastest
+/// instruction set.
+void measure_laws(std::size_t count)
+{
+  const auto measure = [&](const std::string &name,
+                           NormalLaw normal,
+                           TangentialLaw tangential,
+                           double adhesion) {
+    UnitCell cell = sweep_cell(count);
+    cell.contact.normal_law = normal;
+    cell.contact.tangential_law = tangential;
+    cell.contact.work_of_adhesion = adhesion;
+    // Contacts start anew: memories of one law are none of another's.
+    cell.contacts.clear();
+    cell.more_memory.clear();
+    deform(cell, Stretch::Identity(), {});
+    report("law." + name + ".double." + std::to_string(count),
+           step_rate(std::move(cell), {}),
+           "particle-steps/s");
+  };
+  const auto mindlin = TangentialLaw::mindlin;
+  measure("hertz-mindlin", NormalLaw::hertz, mindlin, 0);
+  measure("jkr", NormalLaw::jkr, mindlin, 1);
+  measure("thornton-ning-jkr", NormalLaw::thornton_ning_jkr, mindlin, 1);
+  measure("mindlin-deresiewicz",
+          NormalLaw::thornton_ning,
+          TangentialLaw::mindlin_deresiewicz,
+          0);
 }
 
 /// What a path of 1 % in equal parts costs and where it ends.
@@ -250,7 +279,8 @@ struct Benchmark {
 };
 
 const std::vector<Benchmark> benchmarks = {
-    {"sweep.", {200, 1000, 5000}, measure_steps},
+    {"sweep.", {200, 1000, 5000, 20000}, measure_steps},
+    {"law.", {1000}, measure_laws},
     {"map.evaluations_per_1e-3.", {200, 1000}, measure_evaluations},
     {"map.stress_error.", {200, 1000}, measure_stress_error},
     {"map.seconds_per_1e-3.", {200, 1000}, measure_seconds},
