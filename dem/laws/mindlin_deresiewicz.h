@@ -118,12 +118,17 @@ private:
     const V size = sqrt(dot(state.force, state.force));
     state.force = min(V(1.0), after.limit / max(size, V(tiny))) * state.force;
 
-    const auto first = gone >= select(fell, memory.width, V(1 / tiny));
     const V shift = select(gone > V(tiny), rise, V(0.0));
-    memory.turn =
-        choose(first, V(-1.0) * state.force, memory.turn - shift * along);
-    memory.width = max(V(0.0), memory.width + V(2.0) * shift);
-    memory.reserve = max(V(0.0), memory.reserve + shift);
+    const Triple<V> turn = memory.turn - shift * along;
+    // A fall that takes the force past its turning point ends the turn.
+    const V ahead = dot(state.force - turn, along);
+    const V left = select(fell, min(ahead, memory.width - gone), V(1.0));
+    const auto first = left <= V(0.0);
+    const V held = min(size, after.limit);
+    memory.turn = choose(first, V(-1.0) * state.force, turn);
+    memory.width =
+        select(first, held + held, max(V(0.0), memory.width + V(2.0) * shift));
+    memory.reserve = select(first, V(0.0), max(V(0.0), memory.reserve + shift));
     memory.limit = after.limit;
     const V less = energy - after.energy(min(size, after.limit));
     const V heat = select(after.limit > V(tiny),
