@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 using namespace tamp;
 using namespace tamp::apps;
@@ -156,7 +157,8 @@ class GradientFile : public testing::Test
 {
 protected:
   GradientFile()
-      : folder_(std::filesystem::path(testing::TempDir()) / "gradient_file")
+      : folder_(std::filesystem::temp_directory_path() /
+                ("tamp_gradients_" + std::to_string(getpid())))
   {
     std::filesystem::create_directories(folder_);
   }
