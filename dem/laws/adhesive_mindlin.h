@@ -64,7 +64,8 @@ struct AdhesiveMindlin {
   {
     const NormalAnswer<V> &push = now.push;
     const V change = push.contact_radius / max(now.old_radius, V(tiny));
-    const Triple<V> kept = min(V(1.0), change) * turned(old_force, now);
+    const Triple<V> kept =
+        min(V(1.0), change) * turned(old_force, now.normal, now.spin);
     const Triple<V> slip = across(now.slip, now.normal);
     const V start = peeled_radius(push, dot(kept, kept));
     V radius = start;

@@ -3,30 +3,10 @@
 #define dem_laws_mindlin_h
 
 #include <dem/laws/pair_law.h>
+#include <dem/laws/turning.h>
 
 namespace tamp::dem
 {
-/// 1 / sqrt(1 - u) for 0 <= u <= 1, which is near 0 but for contacts that
-/// turned far.
-template <class V>
-V stretch_back(const V &u)
-{
-  if (any(u > V(1e-4))) // series below: within 1e-16
-    return V(1.0) / sqrt(max(V(1.0) - u, V(1e-12)));
-  return V(1.0) + u * (V(0.5) + u * (V(3.0 / 8) + u * V(5.0 / 16)));
-}
-
-/// A tangential force that turns with its contact: back into the contact plane
-/// at its old length, then with the spin of the grains about the normal.
-template <class V>
-Triple<V> turned(const Triple<V> &force, const ContactMotion<V> &now)
-{
-  const V out = dot(force, now.normal);
-  const V u = min(V(1.0), out * out / max(dot(force, force), V(tiny)));
-  const Triple<V> kept = stretch_back(u) * (force - out * now.normal);
-  return kept + now.spin * cross(now.normal, kept);
-}
-
 /// Tangential force with the no-slip stiffness of Mindlin and Coulomb's cap.
 /// Source: Mindlin (1949), J. Appl. Mech. 16:259, k_t = 8 G* a; unloading
 /// rescale: Thornton, Cummins & Cleary (2013), Powder Technol. 233:30, eq. 18b.
@@ -60,7 +40,7 @@ struct Mindlin {
   {
     const V radius = now.push.contact_radius;
     const V shrink = min(V(1.0), radius / max(now.old_radius, V(tiny)));
-    const Triple<V> kept = shrink * turned(old_force, now);
+    const Triple<V> kept = shrink * turned(old_force, now.normal, now.spin);
     const V k = stiffness(radius);
     const Triple<V> tried = kept + k * across(now.slip, now.normal);
     const V size = sqrt(dot(tried, tried));

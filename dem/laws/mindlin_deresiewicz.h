@@ -59,12 +59,13 @@ struct MindlinDeresiewicz {
   {
     const SlipCurve<V> before(stiffness(now.old_radius), own[4]);
     const SlipCurve<V> after(stiffness(now.push.contact_radius), cap(now.push));
-    SlipState<V> state{turned(old_force, now),
-                       {turned(Triple<V>{own[0], own[1], own[2]}, now),
-                        own[3],
-                        own[4],
-                        own[5],
-                        own[6]}};
+    SlipState<V> state{
+        turned(old_force, now.normal, now.spin),
+        {turned(Triple<V>{own[0], own[1], own[2]}, now.normal, now.spin),
+         own[3],
+         own[4],
+         own[5],
+         own[6]}};
     const V heat = press(state, before, after);
     const V rubbed = slide(state, after, across(now.slip, now.normal));
     const SlipMemory<V> &memory = state.memory;

@@ -3,6 +3,7 @@
 #define dem_laws_rolling_h
 
 #include <dem/laws/pair_law.h>
+#include <dem/laws/turning.h>
 
 namespace tamp::dem
 {
@@ -83,7 +84,7 @@ struct Rolling {
     const V radius = now.push.contact_radius;
     const V change = radius / max(now.old_radius, V(tiny));
     const V old_twist = dot(old_moment, m), turn = dot(now.rotation, n);
-    const Triple<V> rolled = turned(old_moment - old_twist * m, now);
+    const Triple<V> rolled = turned(old_moment - old_twist * m, n, now.spin);
     const RollingAnswer<V> roll = slip(rolled,
                                        across(now.rotation, n),
                                        change,
@@ -99,18 +100,6 @@ struct Rolling {
   }
 
 private:
-  /// A moment across the old normal turns with the contact.
-  template <class V>
-  static Triple<V> turned(const Triple<V> &moment, const RollingMotion<V> &now)
-  {
-    const V before = dot(moment, moment);
-    const Triple<V> inplane = across(moment, now.normal);
-    const V after = dot(inplane, inplane);
-    const V size = sqrt(before / max(after, V(tiny)));
-    const Triple<V> kept = select(after > V(tiny), size, V(0.0)) * inplane;
-    return kept + now.spin * cross(now.normal, kept);
-  }
-
   /// A spring that opposes a rotation up to a limit.
   /// @param change  of its stiffness, new over old
   template <class V>
