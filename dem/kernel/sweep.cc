@@ -49,7 +49,9 @@ public:
         rows_(rows), normal_(address_of(laws.normal)),
         tangential_(address_of(laws.tangential)),
         damped_(laws.viscous && affine.rate > 0),
-        gather_(damped_ ? loops.gather_with_grains : loops.gather),
+        gather_(damped_ || std::holds_alternative<Mdr>(laws.normal)
+                    ? loops.gather_with_grains
+                    : loops.gather),
         push_(loops.normal[laws.normal.index()]),
         rub_(request.memory == Memory::frozen
                  ? loops.tangential[laws.tangential.index()]
