@@ -68,9 +68,8 @@ void gather(const GrainRow<T> *rows,
       Rows::load(rows, first, second, 0, place);
       Rows::load(rows, first, second, 1, motion);
 
-      const Triple<P> listed = {P::load(block.branch_x + lane),
-                                P::load(block.branch_y + lane),
-                                P::load(block.branch_z + lane)};
+      const Triple<P> listed =
+          load(block.branch_x, block.branch_y, block.branch_z, lane);
       const Triple<P> change =
           Triple<P>{place[0], place[1], place[2]} + times(stretch, listed);
       const Triple<P> branch = listed + change;
@@ -92,14 +91,10 @@ void gather(const GrainRow<T> *rows,
                              times(gradient, branch) - arm * cross(rolled, n);
       const P spin = P(0.5) * dot(Triple<P>{place[4], place[5], place[6]}, n);
 
-      n.x.store(chunk.normal_x + k);
-      n.y.store(chunk.normal_y + k);
-      n.z.store(chunk.normal_z + k);
+      store(n, chunk.normal_x, chunk.normal_y, chunk.normal_z, k);
       overlap.store(chunk.overlap + k);
       arm.store(chunk.arm + k);
-      slip.x.store(chunk.slip_x + k);
-      slip.y.store(chunk.slip_y + k);
-      slip.z.store(chunk.slip_z + k);
+      store(slip, chunk.slip_x, chunk.slip_y, chunk.slip_z, k);
       spin.store(chunk.spin + k);
       if constexpr (with_grains) {
         place[3].store(chunk.radius_difference + k);
@@ -149,7 +144,7 @@ void push(const void *constants,
 {
   using P = Pack<T>;
   const Law law = *static_cast<const Law *>(constants);
-  const std::size_t stride = contacts.more_rows * ContactBlock<T>::lanes;
+  const std::size_t stride = contacts.more_rows * lanes<T>;
   P force_sum(0.0), touching(0.0), beyond(0.0);
   for (std::size_t b = 0; b < contacts.blocks; ++b)
     for (std::size_t lane = 0; lane < lanes<T>; lane += P::size) {
@@ -197,28 +192,24 @@ void rub(const void *constants,
 {
   using P = Pack<T>;
   const Law law = *static_cast<const Law *>(constants);
-  const std::size_t stride = contacts.more_rows * ContactBlock<T>::lanes;
+  const std::size_t stride = contacts.more_rows * lanes<T>;
   P lost(0.0);
   for (std::size_t b = 0; b < contacts.blocks; ++b)
     for (std::size_t lane = 0; lane < lanes<T>; lane += P::size) {
       const std::size_t k = b * lanes<T> + lane;
       const ContactBlock<T> &before = contacts.before[b];
       ContactBlock<T> &after = contacts.after[b];
-      const auto triple = [](const T *x, const T *y, const T *z) {
-        return Triple<P>{P::load(x), P::load(y), P::load(z)};
-      };
       ContactMotion<P> now;
       now.pair = shape_of(before, lane, chunk, k);
-      now.normal =
-          triple(chunk.normal_x + k, chunk.normal_y + k, chunk.normal_z + k);
-      now.slip = triple(chunk.slip_x + k, chunk.slip_y + k, chunk.slip_z + k);
+      now.normal = load(chunk.normal_x, chunk.normal_y, chunk.normal_z, k);
+      now.slip = load(chunk.slip_x, chunk.slip_y, chunk.slip_z, k);
       now.spin = P::load(chunk.spin + k);
       now.old_radius = P::load(chunk.old_radius + k);
       now.push = {P::load(chunk.force + k),
                   P::load(after.contact_radius + lane),
                   P::load(chunk.pull_off + k)};
-      const Triple<P> old = triple(
-          before.force_x + lane, before.force_y + lane, before.force_z + lane);
+      const Triple<P> old =
+          load(before.force_x, before.force_y, before.force_z, lane);
       More<T, Law::more> more;
       more.load(contacts.more_before + b * stride, lane);
       const TangentialAnswer<P> answer = law(old, now, more.value);
@@ -285,13 +276,11 @@ void add_stress(const ChunkOfBlocks<T> &contacts,
   for (std::size_t b = 0; b < contacts.blocks; ++b)
     for (std::size_t lane = 0; lane < lanes<T>; lane += P::size) {
       const std::size_t k = b * lanes<T> + lane;
-      const Triple<P> n = {P::load(chunk.normal_x + k),
-                           P::load(chunk.normal_y + k),
-                           P::load(chunk.normal_z + k)};
+      const Triple<P> n =
+          load(chunk.normal_x, chunk.normal_y, chunk.normal_z, k);
       const ContactBlock<T> &block = contacts.after[b];
-      const Triple<P> t = {P::load(block.force_x + lane),
-                           P::load(block.force_y + lane),
-                           P::load(block.force_z + lane)};
+      const Triple<P> t =
+          load(block.force_x, block.force_y, block.force_z, lane);
       const P distance = P::load(chunk.arm + k) *
                          P::load(contacts.before[b].radius_sum + lane);
       const Triple<P> f = P::load(chunk.force + k) * n - t;
@@ -305,7 +294,6 @@ void add_stress(const ChunkOfBlocks<T> &contacts,
   for (int k = 0; k < 9; ++k)
     sums[k] += double(sum(sum_of[k]));
 }
-
 } // namespace tamp::dem::HWY_NAMESPACE
 
 #endif
