@@ -62,19 +62,20 @@ void sort_memories(std::vector<ContactMemory> &memories,
 } // namespace
 
 template <class T>
-void ContactBlocks<T>::write(const NearPair &near,
+void ContactBlocks<T>::write(Pair pair,
+                             const Vector3 &branch,
                              std::span<const double> radius,
                              std::size_t b,
                              std::size_t lane)
 {
   ContactBlock<T> &block = blocks_[b];
-  const double ri = radius[near.pair.first], rj = radius[near.pair.second];
-  block.first[lane] = near.pair.first;
-  block.second[lane] = near.pair.second;
-  block.branch_x[lane] = T(near.branch[0]);
-  block.branch_y[lane] = T(near.branch[1]);
-  block.branch_z[lane] = T(near.branch[2]);
-  block.overlap[lane] = T(near.overlap);
+  const double ri = radius[pair.first], rj = radius[pair.second];
+  block.first[lane] = row_offset<T>(pair.first);
+  block.second[lane] = row_offset<T>(pair.second);
+  block.branch_x[lane] = T(branch[0]);
+  block.branch_y[lane] = T(branch[1]);
+  block.branch_z[lane] = T(branch[2]);
+  block.overlap[lane] = T(ri + rj - branch.norm());
   block.radius_sum[lane] = T(ri + rj);
   block.inverse_sum[lane] = T(1 / (ri + rj));
   block.reduced_radius[lane] = T(ri * rj / (ri + rj));
@@ -84,6 +85,8 @@ template <class T>
 void ContactBlocks<T>::lay_out(const CellLaws &laws,
                                std::span<const NearPair> pairs,
                                std::span<const double> radius,
+                               std::span<const GrainRow<T>> rows,
+                               const Matrix3 &stretch,
                                std::span<const ContactMemory> memories,
                                std::span<const double> more)
 {
@@ -96,29 +99,35 @@ void ContactBlocks<T>::lay_out(const CellLaws &laws,
       clear(blocks_[group.first_block + b]);
   more_.assign(blocks_.size() * more_rows_, {});
 
-  std::vector<std::size_t> written(groups_.size(), 0);
+  const auto moved = [&](std::uint32_t grain) {
+    const T *motion = rows[grain].motion;
+    return Vector3(motion[0], motion[1], motion[2]);
+  };
+  const Matrix3 back = stretch.inverse();
   std::size_t memory = 0;
-  for (const NearPair &near : pairs) {
-    const std::size_t kind = laws.kind(near.pair);
-    const Group &group = groups_[kind];
-    const std::size_t k = written[kind]++;
-    const std::size_t b = group.first_block + k % group.blocks;
-    const std::size_t lane = k / group.blocks;
-    write(near, radius, b, lane);
-    while (memory < memories.size() && memories[memory].pair < near.pair)
-      ++memory;
-    if (memory == memories.size() || memories[memory].pair != near.pair)
-      continue;
-    const ContactMemory &known = memories[memory];
-    ContactBlock<T> &block = blocks_[b];
-    block.force_x[lane] = T(known.tangential_force[0]);
-    block.force_y[lane] = T(known.tangential_force[1]);
-    block.force_z[lane] = T(known.tangential_force[2]);
-    block.largest_overlap[lane] = T(known.largest_overlap);
-    block.contact_radius[lane] = T(known.contact_radius);
-    for (std::size_t m = 0; m < more_rows_; ++m)
-      more_[b * more_rows_ + m].lane[lane] = T(more[memory * more_rows_ + m]);
-  }
+  for_each(
+      laws, pairs, [&](std::size_t b, std::size_t lane, const NearPair &near) {
+        const auto [i, j] = near.pair;
+        write(near.pair,
+              back * (near.branch - (moved(j) - moved(i))),
+              radius,
+              b,
+              lane);
+        while (memory < memories.size() && memories[memory].pair < near.pair)
+          ++memory;
+        if (memory == memories.size() || memories[memory].pair != near.pair)
+          return;
+        const ContactMemory &known = memories[memory];
+        ContactBlock<T> &block = blocks_[b];
+        block.force_x[lane] = T(known.tangential_force[0]);
+        block.force_y[lane] = T(known.tangential_force[1]);
+        block.force_z[lane] = T(known.tangential_force[2]);
+        block.largest_overlap[lane] = T(known.largest_overlap);
+        block.contact_radius[lane] = T(known.contact_radius);
+        for (std::size_t m = 0; m < more_rows_; ++m)
+          more_[b * more_rows_ + m].lane[lane] =
+              T(more[memory * more_rows_ + m]);
+      });
 }
 
 template <class T>
@@ -134,12 +143,13 @@ void ContactBlocks<T>::read_memories(std::vector<ContactMemory> &memories,
       const ContactBlock<T> &block = blocks_[b];
       if (block.largest_overlap[lane] <= 0 && block.contact_radius[lane] <= 0)
         continue;
-      memories.push_back({{block.first[lane], block.second[lane]},
-                          {double(block.force_x[lane]),
-                           double(block.force_y[lane]),
-                           double(block.force_z[lane])},
-                          double(block.largest_overlap[lane]),
-                          double(block.contact_radius[lane])});
+      memories.push_back(
+          {{grain_at<T>(block.first[lane]), grain_at<T>(block.second[lane])},
+           {double(block.force_x[lane]),
+            double(block.force_y[lane]),
+            double(block.force_z[lane])},
+           double(block.largest_overlap[lane]),
+           double(block.contact_radius[lane])});
       for (std::size_t m = 0; m < more_rows_; ++m)
         more.push_back(double(more_[b * more_rows_ + m].lane[lane]));
     }

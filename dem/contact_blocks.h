@@ -4,6 +4,7 @@
 
 #include <dem/cell_laws.h>
 #include <dem/contacts.h>
+#include <dem/grains.h>
 #include <dem/kernel/contact_block.h>
 #include <dem/neighbours.h>
 
@@ -26,12 +27,15 @@ public:
     std::size_t kind = 0, first_block = 0, blocks = 0, size = 0;
   };
 
-  /// Lays out `pairs` (sorted) with the memories of those that have one
-  /// (sorted, too, with `more` numbers of the laws' own; memories of other
-  /// pairs are left out).
+  /// Lays out `pairs` (sorted), where the grains came by `stretch` and the
+  /// motion in `rows`, with the memories of those
+  /// that have one (sorted, too, with `more` numbers of the laws' own; memories
+  /// of other pairs are left out).
   void lay_out(const CellLaws &laws,
                std::span<const NearPair> pairs,
                std::span<const double> radius,
+               std::span<const GrainRow<T>> rows,
+               const Matrix3 &stretch,
                std::span<const ContactMemory> memories,
                std::span<const double> more);
 
@@ -59,6 +63,22 @@ public:
   std::size_t more_per_contact() const { return more_rows_; }
   std::size_t size() const { return size_; }
 
+  /// Calls visit(block index, lane, near pair) for the pairs that were laid
+  /// out.
+  template <class Visit>
+  void for_each(const CellLaws &laws,
+                std::span<const NearPair> pairs,
+                Visit &&visit) const
+  {
+    std::vector<std::size_t> written(groups_.size(), 0);
+    for (const NearPair &near : pairs) {
+      const std::size_t kind = laws.kind(near.pair);
+      const Group &group = groups_[kind];
+      const std::size_t k = written[kind]++;
+      visit(group.first_block + k % group.blocks, k / group.blocks, near);
+    }
+  }
+
 private:
   static constexpr std::size_t lanes = ContactBlock<T>::lanes;
   /// A number of every contact of a block, aligned for the widest register.
@@ -66,7 +86,8 @@ private:
     T lane[lanes] = {};
   };
 
-  void write(const NearPair &pair,
+  void write(Pair pair,
+             const Vector3 &branch,
              std::span<const double> radius,
              std::size_t block,
              std::size_t lane);

@@ -75,7 +75,6 @@ private:
   TimeStep step_{};
   Matrix3 step_stretch_ = Matrix3::Identity();
   Matrix3 step_back_ = Matrix3::Identity();
-  Matrix3 listed_back_; // inverse of the box when the pairs were listed
   AffineMotion affine_;
   double approached_ = 0; // of unlisted pairs, since the pairs were listed [m]
   std::size_t steps_ = 0;
@@ -89,7 +88,7 @@ MotionIn<T>::MotionIn(UnitCell &cell,
       rayleigh_(std::numeric_limits<double>::infinity()),
       loops_(kernel_of(arithmetic.instruction_set).loops<T>().grains),
       layout_(cell, arithmetic.instruction_set), grains_(cell.size()),
-      listed_(cell.place), affine_{Matrix3::Identity(), Matrix3::Zero()}
+      listed_(cell.place), affine_{}
 {
   cell_.velocity.resize(cell_.size(), Vector3::Zero());
   cell_.spin.resize(cell_.size(), Vector3::Zero());
@@ -99,7 +98,7 @@ MotionIn<T>::MotionIn(UnitCell &cell,
     mass_.push_back(settings.density_scaling * cell_.mass(i));
     total += mass_.back();
     // Dashpots of contacts are those of the scaled masses.
-    layout_.rows()[i].inverse_mass = T(1 / mass_.back());
+    layout_.rows()[i].motion[7] = T(1 / mass_.back());
     rayleigh_ = std::min(rayleigh_,
                          rayleigh_time_step(cell_.material_of(i),
                                             cell_.radius[i],
@@ -141,12 +140,10 @@ double MotionIn<T>::time_step() const
 template <class T>
 void MotionIn<T>::list_pairs()
 {
-  layout_.list_pairs(cell_, cell_.box, cell_.place);
+  layout_.list_pairs(cell_, cell_.box, cell_.place, affine_.stretch);
   layout_.read_memories(cell_);
   plastic_loss_ = plastic_loss(cell_);
   listed_ = cell_.place;
-  listed_back_ = cell_.box.h.inverse();
-  affine_.stretch = Matrix3::Identity();
   for (MovingGrain &grain : grains_)
     std::ranges::fill(grain.moved, 0.0);
   approached_ = 0;
@@ -169,28 +166,24 @@ template <class T>
 void MotionIn<T>::read_velocities()
 {
   const auto lay_out = [&](MovingGrain &grain,
-                           int at,
+                           int part,
                            const Vector3 &velocity,
                            double inertia,
                            double damping) {
-    const double a = 0.5 * step_.length * damping / inertia;
-    for (int k = at; k < at + 3; ++k) {
-      grain.velocity[k] = velocity[k - at];
-      grain.damping[k] = damping;
-      grain.gain[k] = step_.length / inertia / (1 + a);
-    }
-    grain.velocity[at + 3] = grain.damping[at + 3] = grain.gain[at + 3] = 0;
+    std::copy_n(velocity.data(), 3, grain.velocity + 4 * part);
+    grain.velocity[4 * part + 3] = 0;
+    grain.damping[part] = damping;
+    grain.gain[part] = step_.length / (inertia + 0.5 * step_.length * damping);
   };
   for (std::size_t i = 0; i < grains_.size(); ++i) {
     const double r = cell_.radius[i];
     lay_out(grains_[i], 0, cell_.velocity[i], mass_[i], damping_);
     // Of radius x spin: its inertia is I / r^2.
     lay_out(grains_[i],
-            4,
+            1,
             r * cell_.spin[i],
             0.4 * mass_[i],
             spin_damping_ / (r * r));
-    grains_[i].gain[3] = 1 / r;
   }
 }
 
@@ -233,9 +226,8 @@ TimeStepSums MotionIn<T>::first_drift()
 {
   std::vector<MovingGrain> drifting = grains_;
   for (MovingGrain &grain : drifting)
-    for (int k : {0, 1, 2, 4, 5, 6}) {
-      grain.gain[k] = grain.damping[k] = 0;
-    }
+    for (int part : {0, 1})
+      grain.gain[part] = grain.damping[part] = 0;
   const TimeStepSums sums = loops_.advance(
       step_, layout_.rows().data(), drifting.data(), drifting.size());
   for (std::size_t i = 0; i < grains_.size(); ++i)
@@ -247,7 +239,6 @@ template <class T>
 void MotionIn<T>::move_box(const Matrix3 &box)
 {
   cell_.box.h = box;
-  affine_.stretch = box * listed_back_;
 }
 
 /// @param approach  of two grains in a step, at most [m]
@@ -282,9 +273,8 @@ bool MotionIn<T>::advance(const Matrix3 &log_stretch,
   step_.length = time_step;
   for (int k = 0; k < 9; ++k) {
     step_.stretch[k] = step_stretch_(k / 3, k % 3);
-    step_.back[k] = step_back_(k / 3, k % 3);
   }
-  affine_.gradient = Matrix3::Identity() - step_back_;
+  affine_.stretch = step_stretch_;
   affine_.time = time_step;
   read_velocities();
   half_kick(true);
@@ -307,7 +297,7 @@ bool MotionIn<T>::advance(const Matrix3 &log_stretch,
                  : step_stretch_ * cell_.box.h);
     renew_pairs(2 * time_step * std::sqrt(sums.fastest2) + affine_approach);
     const bool look = step % steps_between_looks == 0 || step == steps;
-    totals_ = layout_.sweep(affine_, {Memory::written, look});
+    totals_ = layout_.sweep(affine_, {Memory::written, look, true});
     cell_.energy.friction_dissipation += totals_.lost_work;
     cell_.energy.damping_dissipation += totals_.damped_work;
     if (look)
@@ -339,7 +329,7 @@ double MotionIn<T>::hill_mandel() const
   // What each grain did in the last step, with the velocity of its middle.
   std::vector<double> motion;
   for (const GrainRow<T> &row : layout_.rows()) {
-    const Vector3 moved = step_stretch_ * head(row.motion);
+    const Vector3 moved = head(row.motion);
     motion.insert(motion.end(), moved.begin(), moved.end());
     motion.insert(motion.end(), row.motion + 4, row.motion + 7);
   }

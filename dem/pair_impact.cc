@@ -105,7 +105,11 @@ bool Impact::step()
   const auto &[first, second] = bodies_;
   PairMotion motion{now.overlap};
   motion.slip = step_ * surface_velocity(now);
-  motion.spin = 0.5 * step_ * dot(first.spin + second.spin, now.normal);
+  // The mean by radius; that of a wall has no end.
+  const double share =
+      second.is_wall() ? 0 : first.radius / (first.radius + second.radius);
+  motion.spin =
+      step_ * dot(share * first.spin + (1 - share) * second.spin, now.normal);
   motion.rotation = step_ * (first.spin - second.spin);
   motion.normal = now.normal;
   motion.time = step_;

@@ -11,10 +11,10 @@ namespace tamp::dem
 /// How the bodies of a pair moved since the memory of their contact was
 /// written.
 struct PairMotion {
-  double overlap;                   ///< now [m]
-  Triple<double> slip{0, 0, 0};     ///< of the surfaces, second less first;
-                                    ///< its part along n is -d overlap [m]
-  double spin = 0;                  ///< mean rotation about n [rad]
+  double overlap;               ///< now [m]
+  Triple<double> slip{0, 0, 0}; ///< of the surfaces, second less first;
+                                ///< its part along n is -d overlap [m]
+  double spin = 0;              ///< rotation about n, the mean by radius [rad]
   Triple<double> rotation{0, 0, 0}; ///< of the first relative to the second
                                     ///< [rad]
   Triple<double> normal{0, 0, 1};   ///< n, from the first to the second

@@ -29,8 +29,7 @@ public:
       : cell_(cell), settings_(settings),
         log_stretch_(logarithm(stretch)), box_{stretch * cell.box.h},
         inverse_box_(box_.h.inverse()),
-        back_(stretch.inverse()), affine_{Matrix3::Identity(),
-                                          Matrix3::Identity() - back_},
+        back_(stretch.inverse()), affine_{stretch},
         loops_(kernel_of(arithmetic.instruction_set).loops<T>().grains),
         layout_(cell, arithmetic.instruction_set), grains_(cell.size()),
         place_(cell.place)
@@ -68,7 +67,7 @@ private:
   void list_pairs();
   void choose_masses();
   RelaxationSums sweep(CellAnswer &answer);
-  bool move(RelaxationMove move);
+  bool move(const RelaxationMove &move);
 
   UnitCell &cell_;
   const QuasiStatic &settings_;
@@ -112,7 +111,7 @@ void Increment<T>::list_pairs()
     place_[i] = cell_.place[i] + inverse_box_ * Vector3(grains_[i].position);
     std::copy_n(grains_[i].position, 3, grains_[i].listed);
   }
-  layout_.list_pairs(cell_, box_, place_);
+  layout_.list_pairs(cell_, box_, place_, affine_.stretch);
 }
 
 template <class T>
@@ -128,7 +127,6 @@ void Increment<T>::choose_masses()
   for (std::size_t i = 0; i < grains_.size(); ++i) {
     double *mobility = grains_[i].mobility;
     std::fill_n(mobility, 3, 1 / std::max(floor, 0.6 * stiffness.both[i]));
-    mobility[3] = 1 / cell_.radius[i];
     std::fill_n(
         mobility + 4, 3, 1 / std::max(floor, 1.2 * stiffness.tangential[i]));
   }
@@ -137,7 +135,8 @@ void Increment<T>::choose_masses()
 template <class T>
 RelaxationSums Increment<T>::sweep(CellAnswer &answer)
 {
-  const SweepTotals totals = layout_.sweep(affine_, {Memory::frozen});
+  const SweepTotals totals =
+      layout_.sweep(affine_, {Memory::frozen, false, true});
   ++answer.evaluations;
   const RelaxationSums sums =
       loops_.survey(layout_.rows().data(), grains_.data(), grains_.size());
@@ -154,10 +153,8 @@ RelaxationSums Increment<T>::sweep(CellAnswer &answer)
 
 /// Moves all grains; whether the list of pairs still holds then.
 template <class T>
-bool Increment<T>::move(RelaxationMove move)
+bool Increment<T>::move(const RelaxationMove &move)
 {
-  for (int k = 0; k < 9; ++k)
-    move.back[k] = back_(k / 3, k % 3);
   const double farthest2 =
       loops_.relax(move, layout_.rows().data(), grains_.data(), grains_.size());
   return 4 * farthest2 < layout_.gap() * layout_.gap();
@@ -168,9 +165,9 @@ CellAnswer Increment<T>::relax()
 {
   constexpr RelaxationMove stay{};
   CellAnswer answer;
+  move(stay); // writes the guess into the rows
   list_pairs();
   choose_masses();
-  move(stay);
   Fire fire;
   while (true) {
     const RelaxationSums sums = sweep(answer);

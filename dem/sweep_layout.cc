@@ -21,22 +21,22 @@ SweepLayout<T>::SweepLayout(const UnitCell &cell, InstructionSet set)
 {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     rows_[i] = {};
-    rows_[i].radius = T(radius_[i]);
-    rows_[i].inverse_mass = T(1 / cell.mass(i));
+    rows_[i].motion[3] = T(radius_[i]);
+    rows_[i].motion[7] = T(1 / cell.mass(i));
   }
 }
 
 template <class T>
 void SweepLayout<T>::list_pairs(UnitCell &cell,
                                 const PeriodicBox &box,
-                                std::span<const Vector3> place)
+                                std::span<const Vector3> place,
+                                const Matrix3 &stretch)
 {
   if (!still_hold(cell.neighbours, box, place, largest_radius_, gap_))
     cell.neighbours = find_neighbours(box, place, radius_, skin_);
   find_near_pairs(cell.neighbours, box, place, radius_, gap_, near_);
-  contacts_.lay_out(laws_, near_, radius_, cell.contacts, cell.more_memory);
-  for (GrainRow<T> &row : rows_)
-    std::ranges::fill(row.moved, T(0));
+  contacts_.lay_out(
+      laws_, near_, radius_, rows_, stretch, cell.contacts, cell.more_memory);
 }
 
 template <class T>
@@ -55,17 +55,17 @@ typename SweepLayout<T>::Stiffness SweepLayout<T>::stiffness() const
                        const auto &tangential,
                        double modulus,
                        const ContactBlock<T> &block,
-                       std::size_t lane) {
-    const std::size_t i = block.first[lane], j = block.second[lane];
-    const double overlap = block.overlap[lane];
-    if (overlap <= 0 && block.contact_radius[lane] <= 0)
+                       std::size_t lane,
+                       const NearPair &near) {
+    if (near.overlap <= 0 && block.contact_radius[lane] <= 0)
       return;
+    const auto [i, j] = near.pair;
     const PairShape<double> shape = {block.radius_sum[lane],
                                      block.reduced_radius[lane],
-                                     double(rows_[j].radius - rows_[i].radius),
+                                     radius_[j] - radius_[i],
                                      0};
     const NormalMemory<double> memory = {
-        std::max(overlap, double(block.largest_overlap[lane])),
+        std::max(near.overlap, double(block.largest_overlap[lane])),
         block.contact_radius[lane]};
     const double kn = normal.steepest_slope(shape, memory);
     const double kt = tangential.stiffness(kn / (2 * modulus));
@@ -76,21 +76,21 @@ typename SweepLayout<T>::Stiffness SweepLayout<T>::stiffness() const
       ++sum.contacts[grain];
     }
   };
-  for (const auto &group : contacts_.groups()) {
-    const PairLaws &laws = laws_.of_kind(group.kind);
-    std::visit(
-        [&](const auto &normal, const auto &tangential) {
-          for (std::size_t b = 0; b < group.blocks; ++b)
-            for (std::size_t l = 0; l < ContactBlock<T>::lanes; ++l)
+  contacts_.for_each(
+      laws_, near_, [&](std::size_t b, std::size_t lane, const NearPair &near) {
+        const PairLaws &laws = laws_.of_kind(laws_.kind(near.pair));
+        std::visit(
+            [&](const auto &normal, const auto &tangential) {
               add(normal,
                   tangential,
                   laws.effective_modulus,
-                  contacts_.blocks()[group.first_block + b],
-                  l);
-        },
-        laws.normal,
-        laws.tangential);
-  }
+                  contacts_.blocks()[b],
+                  lane,
+                  near);
+            },
+            laws.normal,
+            laws.tangential);
+      });
   return sum;
 }
 

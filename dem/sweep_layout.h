@@ -23,11 +23,13 @@ public:
   SweepLayout(const UnitCell &cell, InstructionSet set);
 
   /// Lists the near pairs at `place` in `box`, renewing the outer list of the
-  /// cell if it no longer holds, and gives them the memories of the cell. From
-  /// here on rows count what grains have moved.
+  /// cell if it no longer holds, and gives them the memories of the cell. The
+  /// grains came there since these were written by `stretch` and the motion in
+  /// the rows.
   void list_pairs(UnitCell &cell,
                   const PeriodicBox &box,
-                  std::span<const Vector3> place);
+                  std::span<const Vector3> place,
+                  const Matrix3 &stretch = Matrix3::Identity());
 
   /// Writes the memory of the contacts into the cell.
   void read_memories(UnitCell &cell) const;

@@ -32,7 +32,8 @@ constexpr KernelLoops<T> all_loops(std::index_sequence<n...>,
   loops.scatter = scatter<T, false>;
   loops.scatter_damped = scatter<T, true>;
   loops.roll = roll<T>;
-  loops.stress = add_stress<T>;
+  loops.stress = add_stress<T, false>;
+  loops.stress_damped = add_stress<T, true>;
   loops.grains = grain_loops<T>();
   return loops;
 }

@@ -8,20 +8,21 @@
 namespace tamp::dem
 {
 /// Sixteen pairs as the sweep sees them: what is constant while the list of
-/// pairs stands, then the memory. The same on every instruction set, so that
-/// the order of sums never depends on the width of a register.
+/// pairs stands, then the memory of the grains and of their contact. The same
+/// on every instruction set, so that the order of sums never depends on the
+/// width of a register.
 template <class T>
 struct alignas(64) ContactBlock {
   static constexpr std::size_t lanes = 16;
-  std::uint32_t first[lanes], second[lanes];
-  T branch_x[lanes], branch_y[lanes], branch_z[lanes]; ///< when listed [m]
-  T overlap[lanes];                                    ///< when listed [m]
-  T radius_sum[lanes];                                 ///< R_i + R_j [m]
-  T inverse_sum[lanes];                             ///< 1 / (R_i + R_j) [1/m]
-  T reduced_radius[lanes];                          ///< R* [m]
-  T force_x[lanes], force_y[lanes], force_z[lanes]; ///< tangential [N]
-  T largest_overlap[lanes];                         ///< [m]
-  T contact_radius[lanes];                          ///< [m]
+  std::uint32_t first[lanes], second[lanes]; ///< row_offset() of the grains
+  T radius_sum[lanes];                       ///< R_i + R_j [m]
+  T inverse_sum[lanes];                      ///< 1 / (R_i + R_j) [1/m]
+  T reduced_radius[lanes];                   ///< R* [m]
+  T branch_x[lanes], branch_y[lanes], branch_z[lanes]; ///< [m]
+  T overlap[lanes];                                    ///< [m]
+  T force_x[lanes], force_y[lanes], force_z[lanes];    ///< tangential [N]
+  T largest_overlap[lanes];                            ///< [m]
+  T contact_radius[lanes];                             ///< [m]
 };
 
 /// Sixty-four contacts on their way through the loops of a sweep, small enough

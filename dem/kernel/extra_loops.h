@@ -84,7 +84,7 @@ void damp_rub(const void *constants,
   totals.damped_work += sum(damped) / rate;
 }
 
-/// A third of a row of the grains of a pack, the first less the second.
+/// Rotations of the grains of a pack, the first less the second.
 template <class T>
 Triple<Pack<T>> rotation_of(const GrainRow<T> *rows,
                             const ContactBlock<T> &block,
@@ -92,10 +92,13 @@ Triple<Pack<T>> rotation_of(const GrainRow<T> *rows,
 {
   constexpr std::size_t width = Pack<T>::size;
   alignas(64) T turn[3][width];
-  for (std::size_t l = 0; l < width; ++l)
+  for (std::size_t l = 0; l < width; ++l) {
+    const GrainRow<T> &first = row_at(rows, block.first[lane + l]);
+    const GrainRow<T> &second = row_at(rows, block.second[lane + l]);
     for (int a = 0; a < 3; ++a)
-      turn[a][l] = rows[block.first[lane + l]].rotation[a] -
-                   rows[block.second[lane + l]].rotation[a];
+      turn[a][l] = first.motion[4 + a] / first.motion[3] -
+                   second.motion[4 + a] / second.motion[3];
+  }
   return load(turn[0], turn[1], turn[2], 0);
 }
 
@@ -110,11 +113,11 @@ void add_moments(const Triple<Pack<T>> &moment,
   alignas(64) T m[3][width];
   store(moment, m[0], m[1], m[2], 0);
   for (std::size_t l = 0; l < width; ++l) {
-    GrainRow<T> &first = rows[block.first[lane + l]];
-    GrainRow<T> &second = rows[block.second[lane + l]];
+    GrainRow<T> &first = row_at(rows, block.first[lane + l]);
+    GrainRow<T> &second = row_at(rows, block.second[lane + l]);
     for (int a = 0; a < 3; ++a) {
-      first.force[4 + a] += m[a][l] / first.radius;
-      second.force[4 + a] -= m[a][l] / second.radius;
+      first.force[4 + a] += m[a][l] / first.motion[3];
+      second.force[4 + a] -= m[a][l] / second.motion[3];
     }
   }
 }

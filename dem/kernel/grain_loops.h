@@ -40,25 +40,20 @@ survey(const GrainRow<T> *rows, const RelaxingGrain *grains, std::size_t count)
   return {total(power), total(kinetic), total(steepness), norm[0], norm[4]};
 }
 
-/// Rows of ones and zeros.
-struct RowMasks {
-  RowPack first = row({1, 1, 1, 0, 0, 0, 0, 0});
-  RowPack last = row({0, 0, 0, 0, 1, 1, 1, 0});
-  RowPack constant = row({0, 0, 0, 1, 0, 0, 0, 1}); ///< radius, inverse mass
-
-private:
-  struct Eight {
-    alignas(64) double n[8];
-  };
-  static RowPack row(const Eight &eight) { return RowPack::load(eight.n); }
-};
-
-/// Writes what a grain has moved and turned; its constants stay.
-template <class T>
-void put_place(GrainRow<T> &row, const RowMasks &masks, const RowPack &place)
+/// Ones at the radius and the inverse mass in GrainRow::motion, else zeros.
+inline RowPack constants_of_row()
 {
-  T *const at = reinterpret_cast<T *>(&row);
-  (place + masks.constant * RowPack::load(at)).store(at);
+  alignas(64) static constexpr double ones[8] = {0, 0, 0, 1, 0, 0, 0, 1};
+  return RowPack::load(ones);
+}
+
+/// Writes the motion of a grain and takes its force, which becomes zero; its
+/// radius and mass stay.
+template <class T>
+void put(const RowPack &motion, const RowPack &constants, GrainRow<T> &row)
+{
+  multiply_add(constants, RowPack::load(row.motion), motion).store(row.motion);
+  RowPack(0.0).store(row.force);
 }
 
 template <class T>
@@ -69,8 +64,7 @@ double relax(const RelaxationMove &move,
 {
   const RowPack retreat(move.retreat), keep(move.keep), push(move.push),
       step(move.step);
-  const RowMatrix back(move.back);
-  const RowMasks masks;
+  const RowPack constants = constants_of_row();
   RowPack farthest2(0.0);
   for (std::size_t i = 0; i < count; ++i) {
     RelaxingGrain &grain = grains[i];
@@ -83,10 +77,7 @@ double relax(const RelaxationMove &move,
     velocity.store(grain.velocity);
     position.store(grain.position);
     const RowPack moved = position - RowPack::load(grain.listed);
-    put_place(rows[i],
-              masks,
-              moved * (masks.first + RowPack(grain.mobility[3]) * masks.last));
-    back.times(grain.position).store(rows[i].motion);
+    put(position, constants, rows[i]);
     farthest2 = larger(farthest2, half_sums(moved * moved));
   }
   alignas(64) double farthest[8];
@@ -101,35 +92,28 @@ TimeStepSums advance(const TimeStep &step,
                      std::size_t count)
 {
   const RowPack length(step.length), half(0.5);
-  const RowMatrix stretch(step.stretch), back(step.back);
-  const RowMasks masks;
+  const RowMatrix stretch(step.stretch);
+  const RowPack constants = constants_of_row();
   RowPack heat(0.0), fastest2(0.0);
   for (std::size_t i = 0; i < count; ++i) {
     MovingGrain &grain = grains[i];
-    const RowPack gain = RowPack::load(grain.gain);
-    const RowPack damping = RowPack::load(grain.damping);
+    const RowPack gain = RowPack::halves(grain.gain[0], grain.gain[1]);
+    const RowPack damping = RowPack::halves(grain.damping[0], grain.damping[1]);
     const RowPack old = RowPack::load(grain.velocity);
     const RowPack velocity =
         old + gain * (RowPack::load(rows[i].force) - damping * old);
     velocity.store(grain.velocity);
     const RowPack middle = half * (old + velocity);
-    heat = heat + damping * (middle * middle);
-    fastest2 = larger(fastest2, half_sums(velocity * velocity));
+    heat = multiply_add(damping, middle * middle, heat);
+    fastest2 = larger(fastest2, velocity * velocity);
 
-    alignas(64) double went[8];
     const RowPack way = length * velocity;
-    way.store(went);
-    back.times(went).store(rows[i].motion);
-    const RowPack moved = stretch.times(grain.moved) + way;
-    moved.store(grain.moved);
-    put_place(rows[i],
-              masks,
-              masks.first * moved +
-                  RowPack(grain.gain[3]) * (masks.last * way));
+    (stretch.times(RowPack::load(grain.moved)) + way).store(grain.moved);
+    put(way, constants, rows[i]);
   }
   alignas(64) double fastest[8];
   fastest2.store(fastest);
-  return {fastest[0], step.length * total(heat)};
+  return {fastest[0] + fastest[1] + fastest[2], step.length * total(heat)};
 }
 
 template <class T>

@@ -33,28 +33,26 @@ struct RelaxationSums {
 /// velocity + push force / mass; position += step velocity.
 struct RelaxationMove {
   double retreat, keep, push, step;
-  double back[9]; ///< from displacement to motion, row by row [-]
 };
 
 /// A grain that moves in time.
 struct alignas(64) MovingGrain {
   double velocity[8]; ///< fluctuation, 0, radius x spin, 0 [m/s]
   double moved[8];    ///< since the pairs were listed, less the box [m]
-  double damping[8];  ///< force per velocity [kg/s]
-  /// Velocity gained per force [s/kg]; 1 / radius [1/m] in number 3.
-  double gain[8];
+  // Of translation and of radius x spin:
+  double damping[2]; ///< force per velocity [kg/s]
+  double gain[2];    ///< velocity gained per force in a step [s/kg]
 };
 
 /// One time step of all grains.
 struct TimeStep {
   double length;     ///< [s]
   double stretch[9]; ///< of the box in the step, row by row [-]
-  double back[9];    ///< its inverse [-]
 };
 
 /// What a time step tells.
 struct TimeStepSums {
-  double fastest2 = 0; ///< largest square of a velocity [m2/s2]
+  double fastest2 = 0; ///< no square of a velocity is larger [m2/s2]
   double heat = 0;     ///< taken by damping in the step [J]
 };
 
@@ -65,13 +63,15 @@ struct GrainLoops {
   using Survey = RelaxationSums (*)(const GrainRow<T> *rows,
                                     const RelaxingGrain *grains,
                                     std::size_t count);
-  /// Moves the grains and writes it into the rows. Returns the largest square
+  /// Moves the grains, writes it into the rows, and takes the forces out of
+  /// them. Returns the largest square
   /// of a displacement since the pairs were listed [m2].
   using Relax = double (*)(const RelaxationMove &move,
                            GrainRow<T> *rows,
                            RelaxingGrain *grains,
                            std::size_t count);
-  /// Kicks the grains by the forces in the rows, and moves them.
+  /// Kicks the grains by the forces in the rows, which it takes out, and moves
+  /// them.
   using Advance = TimeStepSums (*)(const TimeStep &step,
                                    GrainRow<T> *rows,
                                    MovingGrain *grains,

@@ -24,6 +24,19 @@ public:
     for (P &p : part)
       p = P(value);
   }
+  /// The first four numbers a, the last four b.
+  static RowPack halves(double a, double b)
+  {
+    RowPack row;
+#if HWY_TARGET == HWY_AVX3
+    const hn::Half<P::Tag> half;
+    row.part[0] = P(hn::Combine(P::Tag(), hn::Set(half, b), hn::Set(half, a)));
+#else
+    for (std::size_t k = 0; k < parts; ++k)
+      row.part[k] = P(k < parts / 2 ? a : b);
+#endif
+    return row;
+  }
   static RowPack load(const double *from)
   {
     RowPack row;
@@ -66,6 +79,14 @@ public:
   friend RowPack operator/(const RowPack &a, const RowPack &b)
   {
     return apply(a, b, [](P x, P y) { return x / y; });
+  }
+  friend RowPack
+  multiply_add(const RowPack &a, const RowPack &b, const RowPack &c)
+  {
+    RowPack row;
+    for (std::size_t k = 0; k < parts; ++k)
+      row.part[k] = multiply_add(a.part[k], b.part[k], c.part[k]);
+    return row;
   }
   friend RowPack larger(const RowPack &a, const RowPack &b)
   {
@@ -123,11 +144,13 @@ public:
     alignas(64) static constexpr double last[8] = {0, 0, 0, 0, 1, 1, 1, 1};
     rest_ = RowPack::load(last);
   }
-  /// Of a row that lies in memory.
-  RowPack times(const double *row) const
+  RowPack times(const RowPack &row) const
   {
-    return (column_[0] * RowPack(row[0]) + column_[1] * RowPack(row[1])) +
-           (column_[2] * RowPack(row[2]) + rest_ * RowPack::load(row));
+    alignas(64) double n[8];
+    row.store(n);
+    const RowPack sum = multiply_add(column_[0], RowPack(n[0]), rest_ * row);
+    return multiply_add(column_[1], RowPack(n[1]), sum) +
+           column_[2] * RowPack(n[2]);
   }
 
 private:

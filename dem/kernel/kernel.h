@@ -14,12 +14,11 @@
 
 namespace tamp::dem
 {
-/// The affine part of a motion, as rows of 3 x 3 matrices.
+/// The affine part of a motion, as rows of a 3 x 3 matrix.
 template <class T>
 struct AffineLanes {
-  T stretch[9];  ///< h_now h_listed^-1 - I since the pairs were listed [-]
-  T gradient[9]; ///< G since the contact memory was written [-]
-  T rate;        ///< 1 / time since then; 0: no time counts [1/s]
+  T growth[9]; ///< stretch since the contact memory was written, less I [-]
+  T rate;      ///< 1 / time since then; 0: no time counts [1/s]
 };
 
 /// Sums over the contacts of a sweep.
@@ -106,6 +105,7 @@ struct KernelLoops {
   Scatter scatter_damped; ///< after damp_rub
   Roll roll;              ///< only with a rolling law
   Stress stress;          ///< only if wanted
+  Stress stress_damped;
   GrainLoops<T> grains;
 };
 

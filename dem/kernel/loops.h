@@ -1,4 +1,4 @@
-// SPDX-License-Identifier: BSD-3-Clause
+// Less |branch| - |old|, withoutSPDX-License-Identifier: BSD-3-Clause
 #ifndef dem_kernel_loops_h
 #define dem_kernel_loops_h
 
@@ -31,16 +31,17 @@ void store(const Triple<Pack<T>> &v, T *x, T *y, T *z, std::size_t k)
   v.z.store(z + k);
 }
 
+/// matrix v + w.
 template <class P>
-Triple<P> times(const P (&matrix)[9], const Triple<P> &v)
+Triple<P>
+multiply_add(const P (&matrix)[9], const Triple<P> &v, const Triple<P> &w)
 {
-  const auto row = [&](int a) {
-    return multiply_add(
-        matrix[3 * a],
-        v.x,
-        multiply_add(matrix[3 * a + 1], v.y, matrix[3 * a + 2] * v.z));
+  const auto row = [&](int a, P sum) {
+    sum = multiply_add(matrix[a], v.x, sum);
+    sum = multiply_add(matrix[a + 1], v.y, sum);
+    return multiply_add(matrix[a + 2], v.z, sum);
   };
-  return {row(0), row(1), row(2)};
+  return {row(0, w.x), row(3, w.y), row(6, w.z)};
 }
 
 /// Geometry and relative motion of all pairs of a chunk, and what the laws of
@@ -52,53 +53,54 @@ void gather(const GrainRow<T> *rows,
             Chunk<T> &chunk)
 {
   using P = Pack<T>;
-  P stretch[9], gradient[9];
-  for (int k = 0; k < 9; ++k) {
-    stretch[k] = P(affine.stretch[k]);
-    gradient[k] = P(affine.gradient[k]);
-  }
+  P growth[9];
+  for (int k = 0; k < 9; ++k)
+    growth[k] = P(affine.growth[k]);
   for (std::size_t b = 0; b < contacts.blocks; ++b)
     for (std::size_t lane = 0; lane < lanes<T>; lane += P::size) {
       const std::size_t k = b * lanes<T> + lane;
       const ContactBlock<T> &block = contacts.before[b];
-      Columns<T> place, motion;
-      using Rows = Transpose<T, P::size>;
-      const std::uint32_t *first = block.first + lane;
-      const std::uint32_t *second = block.second + lane;
-      Rows::load(rows, first, second, 0, place);
-      Rows::load(rows, first, second, 1, motion);
+      Columns<T> motion;
+      Transpose<T, P::size>::motions(
+          rows, block.first + lane, block.second + lane, motion);
 
-      const Triple<P> listed =
+      const Triple<P> old =
           load(block.branch_x, block.branch_y, block.branch_z, lane);
       const Triple<P> change =
-          Triple<P>{place[0], place[1], place[2]} + times(stretch, listed);
-      const Triple<P> branch = listed + change;
+          multiply_add(growth, old, {motion[0], motion[1], motion[2]});
+      const Triple<P> branch = old + change;
       const P distance = sqrt(dot(branch, branch));
       const P sum = P::load(block.radius_sum + lane);
       P overlap;
       if constexpr (std::is_same_v<T, float>) {
-        // |listed| - |branch| without cancellation.
+        // Less |branch| - |old|, without cancellation.
         const P before = P::load(block.overlap + lane);
         overlap =
-            before - dot(listed + branch, change) / (distance + (sum - before));
+            before - dot(old + branch, change) / (distance + (sum - before));
       } else {
         overlap = sum - distance;
       }
       const Triple<P> n = (P(1.0) / distance) * branch;
-      const P arm = distance * P::load(block.inverse_sum + lane);
-      const Triple<P> rolled = {motion[4], motion[5], motion[6]};
-      const Triple<P> slip = Triple<P>{motion[0], motion[1], motion[2]} +
-                             times(gradient, branch) - arm * cross(rolled, n);
-      const P spin = P(0.5) * dot(Triple<P>{place[4], place[5], place[6]}, n);
+      const P inverse_sum = P::load(block.inverse_sum + lane);
+      const P arm = distance * inverse_sum;
+      const Triple<P> turn =
+          inverse_sum * Triple<P>{motion[4], motion[5], motion[6]};
+      // About the branch half way, a turn of the whole pair is no slip.
+      const Triple<P> middle = multiply_add(P(0.5), change, old);
+      const Triple<P> slip = change - cross(turn, middle);
+      const P spin = dot(turn, n);
 
+      ContactBlock<T> &after = contacts.after[b];
+      store(branch, after.branch_x, after.branch_y, after.branch_z, lane);
+      overlap.store(after.overlap + lane);
       store(n, chunk.normal_x, chunk.normal_y, chunk.normal_z, k);
       overlap.store(chunk.overlap + k);
       arm.store(chunk.arm + k);
       store(slip, chunk.slip_x, chunk.slip_y, chunk.slip_z, k);
       spin.store(chunk.spin + k);
       if constexpr (with_grains) {
-        place[3].store(chunk.radius_difference + k);
-        place[7].store(chunk.inverse_mass + k);
+        motion[3].store(chunk.radius_difference + k);
+        motion[7].store(chunk.inverse_mass + k);
       }
     }
 }
@@ -246,7 +248,7 @@ void scatter(const ChunkOfBlocks<T> &contacts,
       const Triple<P> t =
           damped ? load(chunk.rub_x, chunk.rub_y, chunk.rub_z, k)
                  : load(block.force_x, block.force_y, block.force_z, lane);
-      const Triple<P> force = t - P::load(chunk.force + k) * n;
+      const Triple<P> force = subtract_product(t, P::load(chunk.force + k), n);
       const Triple<P> torque = P::load(chunk.arm + k) * cross(n, t);
       const Columns<T> columns = {force.x,
                                   force.y,
@@ -256,15 +258,15 @@ void scatter(const ChunkOfBlocks<T> &contacts,
                                   torque.y,
                                   torque.z,
                                   P(0.0)};
-      Transpose<T, P::size>::add(columns,
-                                 contacts.before[b].first + lane,
-                                 contacts.before[b].second + lane,
-                                 2,
-                                 rows);
+      Transpose<T, P::size>::add_forces(columns,
+                                        contacts.before[b].first + lane,
+                                        contacts.before[b].second + lane,
+                                        rows);
     }
 }
 
-template <class T>
+/// Adds the products of force and branch of a chunk to nine sums.
+template <class T, bool damped>
 void add_stress(const ChunkOfBlocks<T> &contacts,
                 const Chunk<T> &chunk,
                 double *sums)
@@ -280,7 +282,8 @@ void add_stress(const ChunkOfBlocks<T> &contacts,
           load(chunk.normal_x, chunk.normal_y, chunk.normal_z, k);
       const ContactBlock<T> &block = contacts.after[b];
       const Triple<P> t =
-          load(block.force_x, block.force_y, block.force_z, lane);
+          damped ? load(chunk.rub_x, chunk.rub_y, chunk.rub_z, k)
+                 : load(block.force_x, block.force_y, block.force_z, lane);
       const P distance = P::load(chunk.arm + k) *
                          P::load(contacts.before[b].radius_sum + lane);
       const Triple<P> f = P::load(chunk.force + k) * n - t;

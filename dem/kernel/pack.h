@@ -63,6 +63,10 @@ public:
   {
     return Pack(hn::MulAdd(a.lanes, b.lanes, c.lanes));
   }
+  friend Pack subtract_product(Pack a, Pack b, Pack c)
+  {
+    return Pack(hn::NegMulAdd(b.lanes, c.lanes, a.lanes));
+  }
   friend Pack select(Mask mask, Pack yes, Pack no)
   {
     return Pack(hn::IfThenElse(mask.lanes, yes.lanes, no.lanes));

@@ -26,11 +26,9 @@ template <class T>
 AffineLanes<T> lanes_of(const AffineMotion &affine)
 {
   AffineLanes<T> result;
-  for (int k = 0; k < 9; ++k) {
-    result.stretch[k] =
-        T(affine.stretch(k / 3, k % 3) - (k / 3 == k % 3 ? 1 : 0));
-    result.gradient[k] = T(affine.gradient(k / 3, k % 3));
-  }
+  const Matrix3 growth = affine.stretch - Matrix3::Identity();
+  for (int k = 0; k < 9; ++k)
+    result.growth[k] = T(growth(k / 3, k % 3));
   result.rate = affine.time > 0 ? T(1 / affine.time) : T(0);
   return result;
 }
@@ -77,7 +75,8 @@ public:
       loops_.roll(
           *laws_.rolling, contacts.past(rolling_rows_), chunk_, rows_, part);
     if (request_.moment)
-      loops_.stress(contacts, chunk_, moment);
+      (damped_ ? loops_.stress_damped
+               : loops_.stress)(contacts, chunk_, moment);
     totals_.normal_force += double(part.normal_force);
     totals_.contacts += std::size_t(part.contacts);
     totals_.too_deep = totals_.too_deep || part.beyond > 0;
@@ -126,8 +125,9 @@ SweepTotals sweep(InstructionSet set,
   Scratch<T> scratch;
   double moment[9] = {};
   SweepTotals totals;
-  for (GrainRow<T> &row : rows)
-    std::fill_n(row.force, 8, T(0));
+  if (!request.forces_taken)
+    for (GrainRow<T> &row : rows)
+      std::fill_n(row.force, 8, T(0));
   for (const auto &group : contacts.groups()) {
     Passage<T> passage(kernel_of(set).loops<T>(),
                        laws.of_kind(group.kind),

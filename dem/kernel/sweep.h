@@ -33,18 +33,19 @@ struct SweepTotals {
 
 /// The affine part of a motion.
 struct AffineMotion {
-  Matrix3 stretch;  ///< h_now h_listed^-1 since the pairs were listed [-]
-  Matrix3 gradient; ///< G since the memory was written, such that the relative
-                    ///< displacement of two grains is
-                    ///< motion_j - motion_i + G branch [-]
-  double time = 0;  ///< since the memory was written, for damping in contacts;
-                    ///< 0: none [s]
+  /// Of the box since the memory was written: a branch became
+  /// stretch branch + motion_j - motion_i [-].
+  Matrix3 stretch = Matrix3::Identity();
+  double time = 0; ///< since the memory was written, for damping in contacts;
+                   ///< 0: none [s]
 };
 
 /// What a sweep does.
 struct SweepRequest {
   Memory memory = Memory::frozen;
   bool moment = false; ///< whether SweepTotals::moment is wanted
+  /// Whether the loops over grains have taken the forces out of the rows.
+  bool forces_taken = false;
 };
 
 /// One pass over all pairs: contact forces and torques from the motions of the

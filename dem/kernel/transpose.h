@@ -5,44 +5,46 @@
 #include <dem/grains.h>
 #include <dem/kernel/pack.h>
 
+#include <cstddef>
 #include <cstdint>
 
 namespace tamp::dem::HWY_NAMESPACE
 {
-/// A part of eight numbers of a grain's row.
+/// The row of a grain, by its row_offset().
 template <class T>
-const T *part_of(const GrainRow<T> *rows, std::uint32_t grain, int part)
+const GrainRow<T> &row_at(const GrainRow<T> *rows, std::uint32_t offset)
 {
-  return reinterpret_cast<const T *>(rows + grain) + 8 * part;
+  return *reinterpret_cast<const GrainRow<T> *>(
+      reinterpret_cast<const std::byte *>(rows) + offset);
 }
 template <class T>
-T *part_of(GrainRow<T> *rows, std::uint32_t grain, int part)
+GrainRow<T> &row_at(GrainRow<T> *rows, std::uint32_t offset)
 {
-  return reinterpret_cast<T *>(rows + grain) + 8 * part;
+  return *reinterpret_cast<GrainRow<T> *>(reinterpret_cast<std::byte *>(rows) +
+                                          offset);
 }
 
-/// Eight columns: lane l of column c is number c of contact l.
+/// Lane l of column c is number c of contact l.
 template <class T>
 using Columns = Pack<T>[8];
 
-/// Between rows of contacts and columns of numbers, for a register of any
-/// width: through memory.
+/// Between rows of grains and columns of contacts, for a register of any width:
+/// through memory.
 template <class T, std::size_t width>
 struct Transpose {
   using P = Pack<T>;
 
-  /// Columns of row(second) - row(first) in the first four numbers and
-  /// row(second) + row(first) in the last four.
-  static void load(const GrainRow<T> *rows,
-                   const std::uint32_t *first,
-                   const std::uint32_t *second,
-                   int part,
-                   Columns<T> &columns)
+  /// Columns of motion(second) - motion(first) in the first four numbers and of
+  /// their sums in the last four.
+  static void motions(const GrainRow<T> *rows,
+                      const std::uint32_t *first,
+                      const std::uint32_t *second,
+                      Columns<T> &columns)
   {
     alignas(64) T buffer[8][width];
     for (std::size_t l = 0; l < width; ++l) {
-      const T *a = part_of(rows, first[l], part);
-      const T *b = part_of(rows, second[l], part);
+      const T *a = row_at(rows, first[l]).motion;
+      const T *b = row_at(rows, second[l]).motion;
       for (int c = 0; c < 4; ++c)
         buffer[c][l] = b[c] - a[c];
       for (int c = 4; c < 8; ++c)
@@ -52,22 +54,21 @@ struct Transpose {
       columns[c] = P::load(buffer[c]);
   }
 
-  /// Adds the columns to row(first), and to row(second) with the sign of the
-  /// first four turned.
-  static void add(const Columns<T> &columns,
-                  const std::uint32_t *first,
-                  const std::uint32_t *second,
-                  int part,
-                  GrainRow<T> *rows)
+  /// Adds the columns to force(first), and to force(second) with the sign of
+  /// the first four turned.
+  static void add_forces(const Columns<T> &columns,
+                         const std::uint32_t *first,
+                         const std::uint32_t *second,
+                         GrainRow<T> *rows)
   {
     alignas(64) T buffer[8][width];
     for (int c = 0; c < 8; ++c)
       columns[c].store(buffer[c]);
     for (std::size_t l = 0; l < width; ++l) {
-      T *a = part_of(rows, first[l], part);
+      T *a = row_at(rows, first[l]).force;
       for (int c = 0; c < 8; ++c)
         a[c] += buffer[c][l];
-      T *b = part_of(rows, second[l], part);
+      T *b = row_at(rows, second[l]).force;
       for (int c = 0; c < 4; ++c)
         b[c] -= buffer[c][l];
       for (int c = 4; c < 8; ++c)
@@ -78,7 +79,8 @@ struct Transpose {
 } // namespace tamp::dem::HWY_NAMESPACE
 
 #if HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX2
-#include <dem/kernel/transpose_x86.h>
+#include <dem/kernel/transpose_double.h>
+#include <dem/kernel/transpose_float.h>
 #endif
 
 #endif

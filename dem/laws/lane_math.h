@@ -34,11 +34,54 @@ inline bool any(bool mask)
   return mask;
 }
 
+/// a b + c, rounded once where the machine can.
+template <class V>
+requires std::is_arithmetic_v<V> V multiply_add(V a, V b, V c)
+{
+  return a * b + c;
+}
+
+/// a - b c, likewise.
+template <class V>
+requires std::is_arithmetic_v<V> V subtract_product(V a, V b, V c)
+{
+  return a - b * c;
+}
+
 /// arccos x for -1 <= x <= 1 [rad].
 template <class V>
 requires std::is_arithmetic_v<V> V arc_cosine(V x)
 {
   return std::acos(x);
+}
+
+template <class V>
+struct Root {
+  V root, inverse;
+};
+
+/// The root of x >= 0 and its inverse, at most 3e18. Both are on their way at
+/// once, which is sooner there than one after the other.
+template <class V>
+Root<V> root_of(const V &x)
+{
+  const V root = sqrt(x);
+  return {root, root * (V(1.0) / max(x, V(tiny)))};
+}
+
+template <class V>
+struct Inverses {
+  V first, second;
+};
+
+/// 1 / a and 1 / b for a, b >= 0 by one division; at most 1e18.
+template <class V>
+Inverses<V> inverses(const V &a, const V &b)
+{
+  constexpr double least = 1e-18; // its square is above zero in any precision
+  const V p = max(a, V(least)), q = max(b, V(least));
+  const V inverse = V(1.0) / (p * q);
+  return {inverse * q, inverse * p};
 }
 
 /// x^(1/3) for 0 <= x <= 1, exactly 0 at 0; absolute error below 1e-14 in
@@ -89,23 +132,41 @@ struct Triple {
   }
 };
 
+/// s a + c and c - s a.
+template <class V>
+Triple<V> multiply_add(const V &s, const Triple<V> &a, const Triple<V> &c)
+{
+  return {multiply_add(s, a.x, c.x),
+          multiply_add(s, a.y, c.y),
+          multiply_add(s, a.z, c.z)};
+}
+template <class V>
+Triple<V> subtract_product(const Triple<V> &c, const V &s, const Triple<V> &a)
+{
+  return {subtract_product(c.x, s, a.x),
+          subtract_product(c.y, s, a.y),
+          subtract_product(c.z, s, a.z)};
+}
+
 template <class V>
 V dot(const Triple<V> &a, const Triple<V> &b)
 {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
+  return multiply_add(a.x, b.x, multiply_add(a.y, b.y, a.z * b.z));
 }
 
 template <class V>
 Triple<V> cross(const Triple<V> &a, const Triple<V> &b)
 {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+  return {subtract_product(a.y * b.z, a.z, b.y),
+          subtract_product(a.z * b.x, a.x, b.z),
+          subtract_product(a.x * b.y, a.y, b.x)};
 }
 
 /// The part of `a` across the unit vector `n`.
 template <class V>
 Triple<V> across(const Triple<V> &a, const Triple<V> &n)
 {
-  return a - dot(a, n) * n;
+  return subtract_product(a, dot(a, n), n);
 }
 } // namespace tamp::dem
 

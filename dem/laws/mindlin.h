@@ -39,42 +39,50 @@ struct Mindlin {
   operator()(const Triple<V> &old_force, const ContactMotion<V> &now, V *) const
   {
     const V radius = now.push.contact_radius;
-    const V shrink = min(V(1.0), radius / max(now.old_radius, V(tiny)));
-    const Triple<V> kept = shrink * turned(old_force, now.normal, now.spin);
-    const V k = stiffness(radius);
-    const Triple<V> tried = kept + k * across(now.slip, now.normal);
+    const Inverses<V> inverse = inverses(radius, now.old_radius);
+    const V ratio = radius * inverse.second;
+    const V shrink = min(V(1.0), ratio);
+    const Triple<V> kept = turned(old_force, now.normal, now.spin, shrink);
+    const Triple<V> tried =
+        multiply_add(stiffness(radius), across(now.slip, now.normal), kept);
     const V size = sqrt(dot(tried, tried));
     const V limit = cap(now.push);
     const V share = min(V(1.0), limit / max(size, V(tiny)));
     return {share * tried,
             lost(dot(old_force, old_force),
-                 now.old_radius,
                  dot(kept, kept),
                  size,
                  limit,
-                 radius)};
+                 ratio,
+                 inverse)};
   }
 
 private:
   /// Work of sliding at the limit from the kept force on, what a limit below
   /// the kept force takes, and what the radius takes off the old force [J]. A
   /// contact that opens loses all the energy of the old force.
+  /// A limit that falls by less than a thousandth takes next to nothing.
   /// @param old2, kept2  squares of the forces [N2]
+  /// @param ratio        of the contact radius to the old one; 0 if open
+  /// @param inverse      of these radii [1/m]
   template <class V>
   V lost(const V &old2,
-         const V &old_radius,
          const V &kept2,
          const V &size,
          const V &limit,
-         const V &radius) const
+         const V &ratio,
+         const Inverses<V> &inverse) const
   {
-    const auto open = radius <= V(0.0);
-    const V beyond = max(sqrt(kept2) - limit, V(0.0));
-    const V taken = old2 * (radius / max(old_radius, V(tiny))) - kept2;
-    const V force2 =
-        limit * max(size - limit, V(0.0)) + V(0.5) * (beyond * beyond + taken);
-    return select(open, V(0.5) * old2, force2) /
-           max(stiffness(select(open, old_radius, radius)), V(tiny));
+    V twice =
+        multiply_add(old2, ratio, V(2.0) * limit * max(size - limit, V(0.0))) -
+        kept2;
+    const auto falls = kept2 > V(1.002) * limit * limit;
+    if (any(falls)) {
+      const V beyond = sqrt(kept2) - limit;
+      twice += select(falls, beyond * beyond, V(0.0));
+    }
+    return V(1 / (16 * effective_shear_modulus)) *
+           select(ratio > V(0.0), twice * inverse.first, old2 * inverse.second);
   }
 };
 

@@ -47,7 +47,8 @@ struct ContactMotion {
   Triple<V> normal;     ///< n, unit vector from the first grain to the second
   Triple<V> slip;       ///< relative displacement of the surfaces, second less
                         ///< first [m]; its part along n is no slip
-  V spin;               ///< mean rotation of the grains about n [rad]
+  V spin;               ///< rotation of the grains about n, the mean by radius
+                        ///< [rad]
   V old_radius;         ///< a when the memory was written [m]
   NormalAnswer<V> push; ///< the normal contact now
 };

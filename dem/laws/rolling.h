@@ -13,7 +13,8 @@ struct RollingMotion {
   PairShape<V> pair;
   Triple<V> normal;     ///< n, unit vector from the first grain to the second
   Triple<V> rotation;   ///< of the first grain relative to the second [rad]
-  V spin;               ///< mean rotation of the grains about n [rad]
+  V spin;               ///< rotation of the grains about n, their mean
+                        ///< by radius [rad]
   V old_radius;         ///< a when the memory was written [m]
   NormalAnswer<V> push; ///< the normal contact now
 };

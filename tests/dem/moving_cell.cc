@@ -12,7 +12,7 @@ namespace tamp::dem::test
 SmallMotion no_motion(std::size_t grains)
 {
   const std::vector<Vector3> rest(grains, Vector3::Zero());
-  return {{Matrix3::Identity(), Matrix3::Zero()}, rest, rest, rest};
+  return {{}, rest, rest};
 }
 
 SmallMotion random_motion(std::size_t grains,
@@ -28,14 +28,11 @@ SmallMotion random_motion(std::size_t grains,
   };
   SmallMotion motion = no_motion(grains);
   for (std::size_t i = 0; i < grains; ++i) {
-    motion.moved[i] = vector();
     motion.relative[i] = vector();
     motion.rolled[i] = vector();
   }
-  for (int k = 0; k < 9; ++k) {
+  for (int k = 0; k < 9; ++k)
     motion.affine.stretch(k / 3, k % 3) += any() / length;
-    motion.affine.gradient(k / 3, k % 3) = any() / length;
-  }
   return motion;
 }
 
@@ -116,10 +113,13 @@ Rub rub_by_hand(const ContactMemory &old,
 bool add_contact(const UnitCell &cell,
                  const SmallMotion &motion,
                  Pair pair,
-                 const Vector3 &l,
+                 const Vector3 &before,
                  Oracle &sum)
 {
   const auto [i, j] = pair;
+  const Vector3 change = motion.relative[j] - motion.relative[i] +
+                         motion.affine.stretch * before - before;
+  const Vector3 l = before + change;
   const double ri = cell.radius[i], rj = cell.radius[j], d = l.norm();
   const double overlap = ri + rj - d;
   if (overlap <= 0)
@@ -136,14 +136,14 @@ bool add_contact(const UnitCell &cell,
   const Vector3 normal = l / d;
   const Vector3 pi = motion.rolled[i] / ri, pj = motion.rolled[j] / rj;
   const double arm_i = ri / (ri + rj) * d, arm_j = rj / (ri + rj) * d;
-  const Vector3 slip = motion.relative[j] - motion.relative[i] +
-                       motion.affine.gradient * l -
-                       (arm_i * pi + arm_j * pj).cross(normal);
+  const Vector3 slip =
+      change -
+      (motion.rolled[i] + motion.rolled[j]).cross(before + l) / (2 * (ri + rj));
   auto [rub, lost] =
       rub_by_hand(old,
                   normal,
                   slip,
-                  0.5 * (pi + pj).dot(normal),
+                  (ri * pi + rj * pj).dot(normal) / (ri + rj),
                   push.contact_radius,
                   material.effective_shear_modulus,
                   cell.contact.friction_coefficient * push.force);
@@ -209,12 +209,7 @@ Oracle by_hand(const UnitCell &cell, const SmallMotion &motion)
           s[a] -= std::floor(s[a]);
         const Vector3 image(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1);
         overlap |=
-            add_contact(cell,
-                        motion,
-                        {i, j},
-                        motion.affine.stretch * (cell.box.h * (s + image)) +
-                            motion.moved[j] - motion.moved[i],
-                        sum);
+            add_contact(cell, motion, {i, j}, cell.box.h * (s + image), sum);
       }
       if (!overlap)
         add_opening(cell, {i, j}, sum);

@@ -15,8 +15,7 @@ namespace tamp::dem::test
 {
 /// How the grains of a cell and its affine field moved.
 struct SmallMotion {
-  AffineMotion affine{Matrix3::Identity(), Matrix3::Zero()};
-  std::vector<Vector3> moved;    ///< since the pairs were listed [m]
+  AffineMotion affine;
   std::vector<Vector3> relative; ///< since the memory was written [m]
   std::vector<Vector3> rolled;   ///< radius x rotation [m]
 };
@@ -24,8 +23,8 @@ struct SmallMotion {
 /// Grains at rest.
 SmallMotion no_motion(std::size_t grains);
 
-/// Every component up to `size` [m] at random, the box stretched and the affine
-/// field of that order over `length` [m].
+/// Every component up to `size` [m] at random, the box stretched by that order
+/// over `length` [m].
 SmallMotion random_motion(std::size_t grains,
                           std::uint64_t seed,
                           double size,
@@ -55,10 +54,8 @@ struct LaidOut {
     for (std::size_t i = 0; i < cell.size(); ++i)
       for (int k = 0; k < 3; ++k) {
         GrainRow<T> &row = layout.rows()[i];
-        row.moved[k] = T(motion.moved[i][k]);
         row.motion[k] = T(motion.relative[i][k]);
         row.motion[4 + k] = T(motion.rolled[i][k]);
-        row.rotation[k] = T(motion.rolled[i][k] / cell.radius[i]);
       }
   }
 

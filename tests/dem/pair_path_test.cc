@@ -167,10 +167,7 @@ struct Ride {
     cell.place = {{0.4, 0.5, 0.5}, {0.4 + 2.5e-4 / 2e-3, 0.5, 0.5}};
     return cell;
   }
-  Vector3 branch() const
-  {
-    return Vector3(2.5e-4, 0, 0) + motion.moved[1] - motion.moved[0];
-  }
+  Vector3 branch = {2.5e-4, 0, 0};
   static Triple<double> triple(const Vector3 &v)
   {
     return {v.x(), v.y(), v.z()};
@@ -187,24 +184,27 @@ struct Ride {
         motion.rolled[i][k] = size * (random.next() - 0.5);
       }
     motion.relative[0] += Vector3(approach, 0, 0);
-    for (int i = 0; i < 2; ++i)
-      motion.moved[i] += motion.relative[i];
+    const Vector3 change = motion.relative[1] - motion.relative[0];
+    const Vector3 middle = branch + 0.5 * change;
+    branch += change;
     motion.affine.time = time;
     const test::Forces found = cell.sweep(motion, Memory::written);
 
     const std::vector<double> &r = cell.cell.radius;
-    const Vector3 n = branch().normalized();
-    const double arm = branch().norm() / (r[0] + r[1]);
+    const Vector3 n = branch.normalized();
+    const double arm = branch.norm() / (r[0] + r[1]);
     const Vector3 first = motion.rolled[0] / r[0];
     const Vector3 second = motion.rolled[1] / r[1];
-    const Vector3 slip = motion.relative[1] - motion.relative[0] -
-                         arm * (motion.rolled[0] + motion.rolled[1]).cross(n);
-    const PairForces forces = contact.advance({r[0] + r[1] - branch().norm(),
-                                               triple(slip),
-                                               0.5 * (first + second).dot(n),
-                                               triple(first - second),
-                                               triple(n),
-                                               time});
+    const Vector3 slip =
+        change -
+        (motion.rolled[0] + motion.rolled[1]).cross(middle) / (r[0] + r[1]);
+    const PairForces forces = contact.advance(
+        {r[0] + r[1] - branch.norm(),
+         triple(slip),
+         (motion.rolled[0] + motion.rolled[1]).dot(n) / (r[0] + r[1]),
+         triple(first - second),
+         triple(n),
+         time});
     const Vector3 rub = vector(forces.rub), moment = vector(forces.moment);
     const double wrong_force =
         (found.force[0] - (rub - forces.push.force * n)).norm() +

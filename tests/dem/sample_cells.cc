@@ -18,7 +18,7 @@ void touch(UnitCell &cell)
 {
   SweepLayout<double> layout(cell, best_instruction_set());
   layout.list_pairs(cell, cell.box, cell.place);
-  layout.sweep({Matrix3::Identity(), Matrix3::Zero()}, {Memory::written});
+  layout.sweep({}, {Memory::written});
   layout.read_memories(cell);
 }
 } // namespace

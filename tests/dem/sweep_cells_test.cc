@@ -236,10 +236,10 @@ TEST_F(RollingGrains, MomentOnOneIsOppositeToMomentOnOther)
 {
   cell.contact.tangential_law = TangentialLaw::mindlin;
   cell.contact.friction_coefficient = 0.3;
-  const Vector3 branch = cell.box.nearest_image(cell.place[1] - cell.place[0]);
-  motion = test::random_motion(2, 18, 1e-10, 1);
-  motion.moved.assign(2, Vector3::Zero());
-  motion.affine = test::no_motion(2).affine;
+  motion = test::random_motion(2, 19, 1e-10, 1);
+  motion.affine = {};
+  const Vector3 branch = cell.box.nearest_image(cell.place[1] - cell.place[0]) +
+                         motion.relative[1] - motion.relative[0];
   for (InstructionSet set : instruction_sets()) {
     test::LaidOut<double> laid_out(cell, set);
     const test::Forces found = laid_out.sweep(motion, Memory::frozen);

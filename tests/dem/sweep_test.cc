@@ -124,8 +124,7 @@ TEST(Sweep, WrittenStateAtRestGivesTheSameForces)
   Moving moving(8, {});
   const test::Forces before = moving.sweep(Memory::written);
   test::SmallMotion &motion = moving.motion;
-  motion.affine.gradient.setZero(); // the grains stay where they came
-  motion.relative = motion.rolled = test::no_motion(60).relative;
+  motion = test::no_motion(60); // the grains stay where they came
   const test::Forces after = moving.sweep(Memory::frozen);
   const double tolerance = 1e-12 * largest(before.force); // round-off of caps
   EXPECT_LT(largest_difference(before.force, after.force), tolerance);
@@ -172,7 +171,7 @@ TEST(Sweep, AffineMotionWithoutFluctuationIsGradientTimesBranch)
   for (int way : {0, 1}) {
     test::SmallMotion motion = test::no_motion(2);
     if (way == 0)
-      motion.affine.gradient = gradient;
+      motion.affine.stretch += gradient;
     else
       motion.relative[1] = gradient * branch;
     test::LaidOut<double> laid_out(cell, best_instruction_set());
@@ -212,15 +211,37 @@ TEST_F(TwoGrains, ConserveAngularMomentum)
   EXPECT_EQ(first, second);
   const Vector3 spin =
       pair.cell.radius[0] * first + pair.cell.radius[1] * second;
-  const Vector3 orbit = branch.cross(found.force[1]);
+  const Vector3 orbit = (branch - motion.relative[0]).cross(found.force[1]);
   EXPECT_LT((spin + orbit).norm(), 1e-12 * orbit.norm());
+}
+
+TEST_F(TwoGrains, MomentIsThatOfTheWholeForceWithDampingToo)
+{
+  UnitCell cell = two_grains();
+  cell.contact.restitution_coefficient = 0.5;
+  motion.relative[1] = Vector3(-1e-9, 2e-9, 1e-9);
+  const Vector3 now = branch + motion.relative[1];
+  motion.affine.time = 1e-8;
+  test::LaidOut<double> damped = {cell, best_instruction_set()};
+  const test::Forces found = damped.sweep(motion, Memory::written);
+  EXPECT_GT(
+      (found.force[0] - pair.sweep(motion, Memory::written).force[0]).norm(),
+      0.01 * found.force[0].norm());
+  const Matrix3 wanted = found.force[1] * now.transpose();
+  EXPECT_LT((found.totals.moment - wanted).norm(), 1e-12 * wanted.norm());
 }
 
 TEST_F(TwoGrains, RollingTogetherDoNotSlip)
 {
   // Both grains and the pair turn as one rigid body.
   const Vector3 turn(1e-5, 2e-5, -3e-5);
-  motion.relative[1] = turn.cross(branch);
+  Matrix3 half;
+  half << 0, -turn.z(), turn.y(), turn.z(), 0, -turn.x(), -turn.y(), turn.x(),
+      0;
+  half *= 0.5;
+  const Matrix3 rotation =
+      (Matrix3::Identity() - half).inverse() * (Matrix3::Identity() + half);
+  motion.relative[1] = rotation * branch - branch;
   for (int i : {0, 1})
     motion.rolled[i] = pair.cell.radius[i] * turn;
   const test::Forces found = pair.sweep(motion, Memory::frozen);

@@ -135,7 +135,8 @@ TEST_F(RollingPair, RandomPathsStayBelowLimitsAndOnlyHeat)
     const auto found = answer(moment);
     const double twist = std::abs(dot(found.moment, n));
     const double roll = length(found.moment - dot(found.moment, n) * n);
-    const double round_off = exact * (length(found.moment) + twist + roll);
+    const double round_off =
+        exact * (length(found.moment) + twist + roll + length(moment));
     ASSERT_LE(twist, law.twisting_cap(now.push) + round_off);
     ASSERT_LE(roll, law.rolling_cap(now.pair, now.push) + round_off);
     ASSERT_GE(found.lost_work, -1e-25); // round-off of 1e-13 J
