@@ -109,7 +109,7 @@ void ContactBlocks<T>::lay_out(const CellLaws &laws,
       laws, pairs, [&](std::size_t b, std::size_t lane, const NearPair &near) {
         const auto [i, j] = near.pair;
         write(near.pair,
-              back * (near.branch - (moved(j) - moved(i))),
+              back * (Vector3(near.branch) - (moved(j) - moved(i))),
               radius,
               b,
               lane);

@@ -2,20 +2,11 @@
 #ifndef dem_contacts_h
 #define dem_contacts_h
 
+#include <dem/pair.h>
 #include <dem/tensors.h>
-
-#include <compare>
-#include <cstddef>
-#include <cstdint>
 
 namespace tamp::dem
 {
-/// Two grains, first < second.
-struct Pair {
-  std::uint32_t first, second;
-  auto operator<=>(const Pair &) const = default;
-};
-
 /// What every contact remembers.
 struct ContactMemory {
   Pair pair;

@@ -2,7 +2,9 @@
 #ifndef dem_neighbours_h
 #define dem_neighbours_h
 
-#include <dem/contacts.h>
+#include <dem/kernel/instruction_set.h>
+#include <dem/kernel/near_pairs.h>
+#include <dem/pair.h>
 #include <dem/periodic_box.h>
 #include <dem/tensors.h>
 
@@ -24,11 +26,12 @@ struct Neighbours {
 
 /// All pairs with a gap below `skin` [m], sorted. Throws std::runtime_error if
 /// the box is too narrow for nearest images (narrower than two of the largest
-/// pair's reaches).
+/// pair's reaches). The list is the same on every instruction set.
 Neighbours find_neighbours(const PeriodicBox &box,
                            std::span<const Vector3> place,
                            std::span<const double> radius,
-                           double skin);
+                           double skin,
+                           InstructionSet set = best_instruction_set());
 
 /// Whether no pair outside the list can have a gap below `gap` [m].
 bool still_hold(const Neighbours &neighbours,
@@ -37,20 +40,16 @@ bool still_hold(const Neighbours &neighbours,
                 double largest_radius,
                 double gap);
 
-/// A pair and how it lies.
-struct NearPair {
-  Pair pair;
-  Vector3 branch;     ///< from the first grain to the second [m]
-  double overlap = 0; ///< R_i + R_j - |branch| [m]
-};
-
 /// The pairs of the list with a gap below `gap` [m] now, sorted, into `near`.
+/// The same on every instruction set, to the bit. Asks for no memory if `near`
+/// has room for as many pairs as the list has.
 void find_near_pairs(const Neighbours &neighbours,
                      const PeriodicBox &box,
                      std::span<const Vector3> place,
                      std::span<const double> radius,
                      double gap,
-                     std::vector<NearPair> &near);
+                     std::vector<NearPair> &near,
+                     InstructionSet set = best_instruction_set());
 } // namespace tamp::dem
 
 #endif

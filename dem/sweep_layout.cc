@@ -33,8 +33,8 @@ void SweepLayout<T>::list_pairs(UnitCell &cell,
                                 const Matrix3 &stretch)
 {
   if (!still_hold(cell.neighbours, box, place, largest_radius_, gap_))
-    cell.neighbours = find_neighbours(box, place, radius_, skin_);
-  find_near_pairs(cell.neighbours, box, place, radius_, gap_, near_);
+    cell.neighbours = find_neighbours(box, place, radius_, skin_, set_);
+  find_near_pairs(cell.neighbours, box, place, radius_, gap_, near_, set_);
   contacts_.lay_out(
       laws_, near_, radius_, rows_, stretch, cell.contacts, cell.more_memory);
 }

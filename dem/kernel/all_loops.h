@@ -6,6 +6,7 @@
 #include <dem/kernel/grain_loops.h>
 #include <dem/kernel/kernel.h>
 #include <dem/kernel/loops.h>
+#include <dem/kernel/pair_loops.h>
 
 #include <utility>
 #include <variant>
@@ -47,7 +48,8 @@ constexpr KernelLoops<T> all_loops()
 }
 
 /// The kernel of this instruction set.
-inline constexpr Kernel kernel = {all_loops<double>(), all_loops<float>()};
+inline constexpr Kernel kernel = {
+    all_loops<double>(), all_loops<float>(), pair_loops()};
 } // namespace tamp::dem::HWY_NAMESPACE
 
 #endif

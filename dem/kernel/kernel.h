@@ -5,6 +5,7 @@
 #include <dem/grains.h>
 #include <dem/kernel/contact_block.h>
 #include <dem/kernel/grain_motion.h>
+#include <dem/kernel/near_pairs.h>
 #include <dem/laws/pair_laws.h>
 
 #include <array>
@@ -113,6 +114,7 @@ struct KernelLoops {
 struct Kernel {
   KernelLoops<double> in_double;
   KernelLoops<float> in_float;
+  PairLoops pairs;
 
   template <class T>
   const KernelLoops<T> &loops() const

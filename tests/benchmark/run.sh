@@ -1,7 +1,9 @@
 #!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
-# Builds Release, runs the benchmarks whose names contain FILTER (all without
-# one), prints a table and writes benchmark.csv in the current folder.
+# Builds Release, runs the benchmarks whose names match the regular expression
+# FILTER (all without one), prints a table beside what targets.csv asks for,
+# and writes benchmark.csv in the current folder. Times are processor times,
+# the median of REPETITIONS (7 if not set).
 #
 #   tests/benchmark/run.sh [FILTER]
 set -eu
@@ -11,8 +13,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 root=$(cd "$here/../.." && pwd)
 build=$root/build
 result=$PWD/benchmark.csv
-# Programs that print lines "name,value,unit"; each takes FILTER. Further ones
-# are added here.
+# Programs of Google Benchmark; further ones are added here.
 programs="dem_benchmark coupling_benchmark"
 
 cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release \
@@ -24,43 +25,55 @@ cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release \
 # shellcheck disable=SC2086
 cmake --build "$build" --parallel "$(env -u OMP_NUM_THREADS nproc)" --target $programs tamp >&2
 
-lines=$(mktemp)
-trap 'rm -f "$lines"' EXIT
+scratch=$(mktemp -d)
+trap 'rm -rf "$scratch"' EXIT
+lines=$scratch/lines
+: >"$lines"
+export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
+export OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1
 for program in $programs; do
-  "$build/tests/benchmark/$program" "$filter" >>"$lines"
+  "$build/tests/benchmark/$program" --benchmark_filter="${filter:-.}" \
+    --benchmark_repetitions="${REPETITIONS:-7}" --benchmark_min_time=0.1 \
+    --benchmark_display_aggregates_only=true \
+    --benchmark_out="$scratch/$program.json" --benchmark_out_format=json >&2
+  awk -f "$here/rows.awk" "$scratch/$program.json" >>"$lines"
 done
 
 # run_die NAME EXAMPLE: wall time of a die example, cell updates per load step,
-# and where the time went, from its run.json.
+# and where the time went, from its run.json. Runs if FILTER matches any name of
+# its rows.
 run_die() {
-  case "$1" in *"$filter"*) ;; *)
-    [ -n "$filter" ] && [ "${filter#"$1"}" = "$filter" ] && return 0 ;;
-  esac
-  out=$(mktemp -d)
-  "$build/apps/tamp" die "$root/apps/examples/$2/$2.prm" -o "$out/result" \
-    -q --no-plots
+  parts="packing material assembly linear_solver model"
+  printf "%s\n" "$1.wall" "$1.cell_updates_per_step" "$1.time." |
+    grep -Eq -- "${filter:-.}" || return 0
+  "$build/apps/tamp" die "$root/apps/examples/$2/$2.prm" \
+    -o "$scratch/$2" -q --no-plots
   value() {
-    sed -n "s/^ *\"$1\": \([0-9.eE+-]*\),*\$/\1/p" "$out/result/run.json"
+    sed -n "s/^ *\"$1\": \([0-9.eE+-]*\),*\$/\1/p" "$scratch/$2/run.json"
   }
   {
-    echo "$1.wall,$(value 'wall_time\[s\]'),s"
-    echo "$1.cell_updates_per_step,$(value 'cell_updates_per_step\[-\]'),-"
-    for part in packing material assembly linear_solver model; do
-      seconds=$(value "time_$part\[s\]")
+    echo "$1.wall,$(value 'wall_time\[s\]' "$2"),s"
+    echo "$1.cell_updates_per_step,$(value 'cell_updates_per_step\[-\]' "$2"),-"
+    for part in $parts; do
+      seconds=$(value "time_$part\[s\]" "$2")
       [ -z "$seconds" ] || echo "$1.time.$part,$seconds,s"
     done
   } >>"$lines"
-  rm -rf "$out"
 }
-export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
-export OPENBLAS_NUM_THREADS=1 OMP_NUM_THREADS=1
 run_die die_dpc die_default_dpc
 run_die die_default die_default
 
+# The processor, its clock if the system knows it, and how many.
+machine() {
+  model=$(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1)
+  clock=$(sed -n 's/^cpu MHz[^:]*: \([0-9]*\).*/, \1 MHz/p' /proc/cpuinfo |
+    head -n 1)
+  echo "${model:-$(uname -m)}$clock, $(env -u OMP_NUM_THREADS nproc) cores," \
+    "$(uname -sm)"
+}
 {
   echo "# date: $(date -u +%Y-%m-%dT%H:%M:%SZ)"
-  echo "# machine: $(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo |
-    head -n 1), $(env -u OMP_NUM_THREADS nproc) cores, $(uname -sm)"
+  echo "# machine: $(machine)"
   echo "# version: $(git -C "$root" describe --always --dirty 2>/dev/null ||
     echo unknown)"
   echo "# load: $(cut -d ' ' -f 1-3 /proc/loadavg)"
@@ -68,5 +81,6 @@ run_die die_default die_default
   cat "$lines"
 } >"$result"
 
-awk -F, '{ printf "%-40s %14s  %s\n", $1, $2, $3 }' "$lines"
+grep '^#' "$result"
+awk -f "$here/table.awk" "$here/targets.csv" "$lines"
 echo "written: $result"

@@ -75,29 +75,64 @@ std::vector<Pair> brute_force(const Sample &sample, double gap)
   return pairs;
 }
 
-TEST(Neighbours, GridFindsWhatTryingAllPairsFinds)
+void expect_all_pairs(const Sample &s)
+{
+  const std::vector<Pair> wanted = brute_force(s, s.skin);
+  for (InstructionSet set : instruction_sets()) {
+    const Neighbours found =
+        find_neighbours(s.box, s.place, s.radius, s.skin, set);
+    EXPECT_TRUE(found.pairs == wanted) << name_of(set);
+  }
+}
+
+TEST(Neighbours, GridFindsWhatTryingAllPairsFindsOnEverySet)
 {
   // From the narrowest box that is allowed (two bins an edge) to six bins.
   for (double widths : {2.001, 2.3, 2.999, 3.001, 3.7, 4.5, 6.2})
     for (std::uint64_t seed = 1; seed <= 6; ++seed) {
       SCOPED_TRACE(testing::Message() << widths << " widths, seed " << seed);
-      const Sample s = random_sample(seed, 80, widths);
-      const Neighbours found =
-          find_neighbours(s.box, s.place, s.radius, s.skin);
-      EXPECT_TRUE(found.pairs == brute_force(s, s.skin));
+      expect_all_pairs(random_sample(seed, 80, widths));
     }
+}
+
+TEST(Neighbours, GridOfAnotherNumberOfBinsOnEachAxisMissesNoPair)
+{
+  for (std::uint64_t seed = 1; seed <= 6; ++seed)
+    for (int longest = 0; longest < 3; ++longest) {
+      SCOPED_TRACE(testing::Message() << longest << ", seed " << seed);
+      Sample s = random_sample(seed, 150, 2.001);
+      s.box.h.col(longest) *= 3;
+      s.box.h.col((longest + 1) % 3) *= 1.6;
+      expect_all_pairs(s);
+    }
+}
+
+TEST(Neighbours, GrainsWithoutNeighboursAndEmptyBinsAreNoTrouble)
+{
+  Sample s = random_sample(3, 80, 6.2);
+  s.place.resize(2);
+  s.radius.resize(2, 1.0);
+  expect_all_pairs(s);
+}
+
+std::vector<NearPair> near_pairs(const Sample &s, InstructionSet set)
+{
+  const Neighbours found =
+      find_neighbours(s.box, s.place, s.radius, s.skin, set);
+  std::vector<NearPair> near(3); // what was in it is gone
+  find_near_pairs(found, s.box, s.place, s.radius, 0.06, near, set);
+  return near;
 }
 
 TEST(Neighbours, NearPairsAreThoseBelowTheGapAndLieAsTheGrains)
 {
   constexpr double round_off = 1e-13; // of lengths of about one
   const Sample s = random_sample(7, 150, 3.3);
-  const Neighbours found = find_neighbours(s.box, s.place, s.radius, s.skin);
-  std::vector<NearPair> near(3); // what was in it is gone
-  find_near_pairs(found, s.box, s.place, s.radius, 0.06, near);
   std::vector<Pair> pairs;
-  for (const auto &[pair, branch, overlap] : near) {
+  for (const auto &[pair, lies, overlap] :
+       near_pairs(s, InstructionSet::scalar)) {
     const auto [i, j] = pair;
+    const Vector3 branch(lies);
     const double distance = nearest(s.box, s.place[j] - s.place[i]);
     EXPECT_NEAR(branch.norm(), distance, round_off);
     EXPECT_NEAR(overlap, s.radius[i] + s.radius[j] - distance, round_off);
@@ -108,6 +143,26 @@ TEST(Neighbours, NearPairsAreThoseBelowTheGapAndLieAsTheGrains)
   }
   EXPECT_GT(pairs.size(), 100u); // there is something to compare
   EXPECT_TRUE(pairs == brute_force(s, 0.06));
+}
+
+TEST(Neighbours, NearPairsAreTheSameToTheBitOnEverySet)
+{
+  // Numbers of listed pairs around those that fill registers and chunks.
+  for (std::size_t count : {20, 40, 77, 78, 79, 80, 150, 300})
+    for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+      const Sample s = random_sample(seed, count, 3.3);
+      const auto wanted = near_pairs(s, InstructionSet::scalar);
+      EXPECT_FALSE(count >= 77 && wanted.empty());
+      for (InstructionSet set : instruction_sets()) {
+        const auto found = near_pairs(s, set);
+        ASSERT_EQ(found.size(), wanted.size());
+        for (std::size_t k = 0; k < found.size(); ++k) {
+          EXPECT_EQ(found[k].pair, wanted[k].pair);
+          EXPECT_EQ(Vector3(found[k].branch), Vector3(wanted[k].branch));
+          EXPECT_EQ(found[k].overlap, wanted[k].overlap);
+        }
+      }
+    }
 }
 
 /// Whether every pair below the gap is listed.

@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <dem/deform.h>
+#include <dem/neighbours.h>
+#include <dem/stretch.h>
 #include <tests/dem/moving_cell.h>
 #include <tests/dem/sample_cells.h>
 
@@ -89,5 +92,70 @@ TEST(SweepAllocation, SweepAsksForNothingWithAnyLaw)
     }
   }
 }
+/// How often a deformation of a cell asks for memory, and for how many
+/// evaluations.
+struct Cost {
+  std::size_t asked, evaluations;
+};
+
+Cost cost_of(const Driving &driving, double log_strain)
+{
+  UnitCell cell = test::alumina_cell();
+  const std::size_t before = handed_out;
+  const CellAnswer answer =
+      deform(cell, exponential(Matrix3::Identity() * log_strain), driving);
+  return {handed_out - before, answer.evaluations};
+}
+
+TEST(SweepAllocation, TimeStepsAskForNothing)
+{
+  constexpr double strain = -1e-7; // pairs are not listed anew
+  for (InstructionSet set : instruction_sets())
+    for (Precision precision :
+         {Precision::double_precision, Precision::mixed}) {
+      Driving driving;
+      driving.method = Method::dynamics;
+      driving.arithmetic = {precision, set};
+      driving.dynamics.strain_rate = 1e-7;
+      const Cost some = cost_of(driving, strain);
+      const Cost more = cost_of(driving, 5 * strain);
+      EXPECT_GT(more.evaluations, 4 * some.evaluations);
+      EXPECT_EQ(more.asked, some.asked);
+    }
+}
+
+TEST(SweepAllocation, EvaluationsOfTheMapAskForNothing)
+{
+  for (InstructionSet set : instruction_sets())
+    for (Precision precision :
+         {Precision::double_precision, Precision::mixed}) {
+      Driving driving;
+      driving.arithmetic = {precision, set};
+      driving.quasi_static.unbalance_tolerance = 1e-30; // never
+      driving.quasi_static.maximum_evaluations = 10;
+      const Cost some = cost_of(driving, -1e-4);
+      driving.quasi_static.maximum_evaluations = 60;
+      const Cost more = cost_of(driving, -1e-4);
+      EXPECT_EQ(more.evaluations, some.evaluations + 50);
+      EXPECT_EQ(more.asked, some.asked);
+    }
+}
+
+TEST(SweepAllocation, ListingNearPairsAgainAsksForNothing)
+{
+  const UnitCell &cell = test::alumina_cell();
+  const double gap = 0.06 * cell.mean_radius();
+  const Neighbours outer =
+      find_neighbours(cell.box, cell.place, cell.radius, 5 * gap);
+  std::vector<NearPair> near;
+  for (InstructionSet set : instruction_sets()) {
+    near.reserve(outer.pairs.size());
+    const std::size_t before = handed_out;
+    find_near_pairs(outer, cell.box, cell.place, cell.radius, gap, near, set);
+    EXPECT_EQ(handed_out - before, 0u);
+    EXPECT_GT(near.size(), cell.size());
+  }
+}
+
 } // namespace
 } // namespace tamp::dem
