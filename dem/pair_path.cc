@@ -9,6 +9,7 @@ namespace tamp::dem
 PairContact::PairContact(const PairLaws &laws, const PairShape<double> &shape)
     : laws_(laws), shape_(shape), more_(laws.more(), 0)
 {
+  check_size(laws, shape.reduced_radius);
 }
 
 const PairForces &PairContact::advance(const PairMotion &motion)

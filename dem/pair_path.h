@@ -42,6 +42,7 @@ struct PairLosses {
 class PairContact
 {
 public:
+  /// Throws std::invalid_argument as check_size().
   PairContact(const PairLaws &laws, const PairShape<double> &shape);
 
   /// Goes on by one increment, and writes the memory.

@@ -98,4 +98,10 @@ PairLaws pair_laws(const ContactModel &model,
         Viscous(pair.effective_modulus, model.restitution_coefficient);
   return laws;
 }
+
+void check_size(const PairLaws &laws, double reduced_radius)
+{
+  if (const auto *law = std::get_if<AdhesiveThorntonNing>(&laws.normal))
+    law->check(reduced_radius);
+}
 } // namespace tamp::dem

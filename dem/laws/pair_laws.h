@@ -56,6 +56,9 @@ struct PairLaws {
 PairLaws pair_laws(const ContactModel &model,
                    const GrainMaterial &first,
                    const GrainMaterial &second);
+/// Throws std::invalid_argument if the laws do not hold for grains so small:
+/// see AdhesiveThorntonNing::check().
+void check_size(const PairLaws &laws, double reduced_radius);
 } // namespace tamp::dem
 
 #endif
