@@ -2,6 +2,7 @@
 #ifndef dem_kernel_loops_h
 #define dem_kernel_loops_h
 
+#include <dem/kernel/ended_contacts.h>
 #include <dem/kernel/kernel.h>
 #include <dem/kernel/pack.h>
 #include <dem/kernel/transpose.h>
@@ -155,15 +156,23 @@ void push(const void *constants,
       const P overlap = P::load(chunk.overlap + k);
       More<T, Law::more> more;
       more.load(contacts.more_before + b * stride, lane);
+      const P largest = P::load(before.largest_overlap + lane);
       const P old_radius = P::load(before.contact_radius + lane);
       old_radius.store(chunk.old_radius + k);
-      NormalMemory<P> memory = {
-          P::load(before.largest_overlap + lane), old_radius, more.value};
+      NormalMemory<P> memory = {largest, old_radius, more.value};
       const NormalAnswer<P> answer = law(overlap, pair, memory);
 
       // A contact is remembered while the grains overlap or stick.
       const auto touches = answer.contact_radius > P(0.0);
       const auto kept = touches | (overlap > P(0.0));
+      if constexpr (!std::is_same_v<Law, Hertz>) { // which loses nothing
+        const auto touched = old_radius > P(0.0);
+        const auto ends = (touched & !touches) | (touches & !touched) |
+                          ((largest > P(0.0)) & !kept);
+        if (contacts.before == contacts.after && any(ends))
+          book_ends(
+              law, contacts, chunk, b, lane, answer.contact_radius, totals);
+      }
       select(kept, memory.largest_overlap, P(0.0))
           .store(after.largest_overlap + lane);
       answer.contact_radius.store(after.contact_radius + lane);
