@@ -8,6 +8,25 @@
 
 namespace tamp::dem::HWY_NAMESPACE
 {
+/// Which contacts of a pack begin or end in a way that costs energy: those that
+/// are forgotten and, under adhesion, those that touch or tear.
+/// @param touches, kept  masks: whether they touch, whether they are remembered
+template <class Law, class P>
+auto ends(const P &largest_overlap,
+          const P &old_radius,
+          const auto &touches,
+          const auto &kept)
+{
+  const auto forgotten = (largest_overlap > P(0.0)) & !kept;
+  if constexpr (std::is_same_v<Law, Jkr> ||
+                std::is_same_v<Law, AdhesiveThorntonNing>) {
+    const auto touched = old_radius > P(0.0);
+    return forgotten | (touched & !touches) | (touches & !touched);
+  } else {
+    return forgotten;
+  }
+}
+
 /// Books what contacts of a pack lose as they begin and end, while `before` is
 /// their old memory. They are few: lane by lane, in double.
 /// @param b, lane  block of the chunk, and the first lane of the pack

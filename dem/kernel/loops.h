@@ -146,6 +146,7 @@ void push(const void *constants,
   using P = Pack<T>;
   const Law law = *static_cast<const Law *>(constants);
   const std::size_t stride = contacts.more_rows * lanes<T>;
+  [[maybe_unused]] const bool written = contacts.before == contacts.after;
   P force_sum(0.0), touching(0.0), beyond(0.0);
   for (std::size_t b = 0; b < contacts.blocks; ++b)
     for (std::size_t lane = 0; lane < lanes<T>; lane += P::size) {
@@ -165,14 +166,11 @@ void push(const void *constants,
       // A contact is remembered while the grains overlap or stick.
       const auto touches = answer.contact_radius > P(0.0);
       const auto kept = touches | (overlap > P(0.0));
-      if constexpr (!std::is_same_v<Law, Hertz>) { // which loses nothing
-        const auto touched = old_radius > P(0.0);
-        const auto ends = (touched & !touches) | (touches & !touched) |
-                          ((largest > P(0.0)) & !kept);
-        if (contacts.before == contacts.after && any(ends))
+      if constexpr (!std::is_same_v<Law, Hertz>) // which loses nothing
+        if (written && any(ends<Law>(largest, old_radius, touches, kept)))
+            [[unlikely]]
           book_ends(
               law, contacts, chunk, b, lane, answer.contact_radius, totals);
-      }
       select(kept, memory.largest_overlap, P(0.0))
           .store(after.largest_overlap + lane);
       answer.contact_radius.store(after.contact_radius + lane);

@@ -14,7 +14,7 @@ struct EndedContact {
                         ///< goes: no later measure of the contact counts it
 };
 
-/// What an increment of a normal law has ended.
+/// What an increment of a normal law of dem/laws/pair_laws.h has ended.
 /// @param old  memory before it; the law's own numbers may be written over
 /// @param overlap, contact_radius  after it [m]
 template <class Law>
@@ -22,18 +22,7 @@ EndedContact end_of(const Law &law,
                     const PairShape<double> &pair,
                     NormalMemory<double> old,
                     double overlap,
-                    double contact_radius)
-{
-  EndedContact ended;
-  const bool touched = old.contact_radius > 0, touches = contact_radius > 0;
-  if (touches && !touched)
-    ended.adhesion = law.lost_at_touch(pair, old);
-  if (touched && !touches)
-    ended.adhesion = law.lost_at_tear(pair, old);
-  if (!touches && overlap <= 0 && old.largest_overlap > 0)
-    ended.forgotten = law.energy(0, pair, old).dissipated;
-  return ended;
-}
+                    double contact_radius);
 } // namespace tamp::dem
 
 #endif
