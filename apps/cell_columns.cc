@@ -33,7 +33,8 @@ std::vector<std::string> cell_header(bool dynamics)
                            "work[J/m3]",
                            "elastic_energy[J/m3]",
                            "plastic_dissipation[J/m3]",
-                           "friction_dissipation[J/m3]"})
+                           "friction_dissipation[J/m3]",
+                           "adhesion_dissipation[J/m3]"})
     names.emplace_back(name);
   if (dynamics)
     for (const char *name : {"inertial_number[-]",
@@ -73,7 +74,8 @@ std::vector<double> cell_values(const coupling::UnitCellPoints &cells,
                              cell.energy.work / volume,
                              measures.elastic_energy / volume,
                              cell.energy.plastic_dissipation / volume,
-                             cell.energy.friction_dissipation / volume};
+                             cell.energy.friction_dissipation / volume,
+                             cell.energy.adhesion_dissipation / volume};
   if (driving.method == dem::Method::dynamics) {
     const dem::DynamicMeasures moving = dem::measure_dynamics(
         cell, driving.dynamics, -measures.stress.trace() / 3);

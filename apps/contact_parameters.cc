@@ -223,7 +223,8 @@ void declare_contact(ParameterTable &table)
       dimension::surface_energy,
       not_negative,
       "Gamma, of the interface: twice the surface energy of equal solids; "
-      "jkr and thornton-ning-jkr");
+      "jkr and thornton-ning-jkr, which refuses a limiting contact pressure "
+      "below 0.425 (2 E*^2 Gamma / (pi^2 R*))^(1/3)");
   table.quantity(
       "Rolling friction coefficient",
       "0.1",

@@ -21,7 +21,7 @@ using dem::UnitCell;
 using dem::Vector3;
 
 constexpr const char *format = "tamp packing";
-constexpr std::uint32_t version = 1;
+constexpr std::uint32_t version = 2;
 
 // Order as in the enumerations of dem.
 constexpr std::array normal_laws{
@@ -269,6 +269,7 @@ void visit_parts(File &file, Cell &cell, Columns &contacts)
   file.number("/energy/plastic_dissipation", "J", energy.plastic_dissipation);
   file.number("/energy/friction_dissipation", "J", energy.friction_dissipation);
   file.number("/energy/damping_dissipation", "J", energy.damping_dissipation);
+  file.number("/energy/adhesion_dissipation", "J", energy.adhesion_dissipation);
 }
 
 /// Throws std::invalid_argument unless the parts make up a cell that can be.

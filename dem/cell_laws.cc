@@ -2,6 +2,9 @@
 #include <dem/cell_laws.h>
 #include <dem/unit_cell.h>
 
+#include <algorithm>
+#include <limits>
+
 namespace tamp::dem
 {
 CellLaws::CellLaws(const UnitCell &cell) : species_(cell.species)
@@ -10,5 +13,19 @@ CellLaws::CellLaws(const UnitCell &cell) : species_(cell.species)
     for (std::size_t a = 0; a <= b; ++a)
       laws_.push_back(
           pair_laws(cell.contact, cell.materials[a], cell.materials[b]));
+}
+
+void CellLaws::check(const UnitCell &cell) const
+{
+  constexpr double none = std::numeric_limits<double>::infinity();
+  std::vector<double> smallest(cell.materials.size(), none);
+  for (std::size_t i = 0; i < cell.size(); ++i) {
+    double &radius = smallest[species_.empty() ? 0 : species_[i]];
+    radius = std::min(radius, cell.radius[i]);
+  }
+  for (std::size_t b = 0, kind = 0; b < smallest.size(); ++b)
+    for (std::size_t a = 0; a <= b; ++a, ++kind)
+      if (smallest[a] < none && smallest[b] < none)
+        check_size(laws_[kind], 1 / (1 / smallest[a] + 1 / smallest[b]));
 }
 } // namespace tamp::dem

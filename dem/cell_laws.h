@@ -21,6 +21,10 @@ class CellLaws
 public:
   explicit CellLaws(const UnitCell &cell);
 
+  /// Throws std::invalid_argument if the laws of a kind do not hold for its
+  /// smallest grains, see check_size().
+  void check(const UnitCell &cell) const;
+
   std::size_t kinds() const { return laws_.size(); }
   const PairLaws &of_kind(std::size_t kind) const { return laws_[kind]; }
 

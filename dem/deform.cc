@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <dem/cell_laws.h>
 #include <dem/deform.h>
 #include <dem/dynamics.h>
 #include <dem/quasi_static.h>
@@ -27,6 +28,7 @@ CellAnswer deform(UnitCell &cell,
                   const Driving &driving,
                   WarmGuess *guess)
 {
+  CellLaws(cell).check(cell);
   relattice(cell);
   return driving.method == Method::quasi_static
              ? deform_quasi_static(cell,

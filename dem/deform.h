@@ -92,7 +92,8 @@ struct CellAnswer {
 /// Takes a cell along a stretch increment. The cell then holds the new state,
 /// its contact history included. Deterministic; without a guess a pure function
 /// of the cell, the stretch and the driving. After `diverged` the cell's
-/// content is of no use: go back to a copy.
+/// content is of no use: go back to a copy. Throws std::invalid_argument if a
+/// law does not hold for the smallest grains, see CellLaws::check().
 /// @param guess  in: a warm start or empty; out: the start for the next trial
 ///               from the same committed cell. May be null.
 CellAnswer deform(UnitCell &cell,

@@ -93,13 +93,24 @@ void add_energy(ContactEnergy &sum, const Visited &visited)
       visited.laws.normal);
   sum.elastic += normal.elastic;
   sum.dissipated += normal.dissipated;
-  const double k = std::visit(
+}
+
+/// What the tangential and the rolling spring hold [J].
+double held_in_springs(const Visited &visited)
+{
+  const PairLaws &laws = visited.laws;
+  const NormalAnswer<double> push = std::visit(
       [&](const auto &law) {
-        return law.stiffness(visited.contact.contact_radius);
+        NormalMemory<double> memory = visited.memory;
+        return law(visited.overlap, visited.shape, memory);
       },
-      visited.laws.tangential);
-  if (k > 0)
-    sum.elastic += visited.contact.tangential_force.squaredNorm() / (2 * k);
+      laws.normal);
+  const Vector3 &t = visited.contact.tangential_force;
+  return spring_energy(laws,
+                       visited.shape,
+                       push,
+                       {t.x(), t.y(), t.z()},
+                       visited.memory.more + laws.normal_more());
 }
 
 Matrix3 stress_of(const std::vector<ContactForce> &forces, double volume)
@@ -150,6 +161,7 @@ CellMeasures measure(const UnitCell &cell)
   ContactEnergy energy;
   for_each_contact(cell, [&](const Visited &visited) {
     add_energy(energy, visited); // before a law writes into its own memory
+    energy.elastic += held_in_springs(visited);
     add_force(forces, visited);
   });
   CellMeasures result;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <dem/cell_laws.h>
 #include <dem/mixed_control.h>
 #include <dem/mixed_search.h>
 #include <dem/mixed_servo.h>
@@ -29,6 +30,7 @@ MixedAnswer deform_mixed(UnitCell &cell,
 {
   control.check();
   driving.check();
+  CellLaws(cell).check(cell);
   Six strain;
   bool strains_only = true;
   for (int k = 0; k < 6; ++k) {

@@ -300,6 +300,8 @@ bool MotionIn<T>::advance(const Matrix3 &log_stretch,
     totals_ = layout_.sweep(affine_, {Memory::written, look, true});
     cell_.energy.friction_dissipation += totals_.lost_work;
     cell_.energy.damping_dissipation += totals_.damped_work;
+    cell_.energy.adhesion_dissipation += totals_.adhesion_loss;
+    cell_.energy.plastic_dissipation += totals_.forgotten_loss;
     if (look)
       book_work(part * double((step - 1) % steps_between_looks + 1));
     ++steps_;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <dem/cell_laws.h>
 #include <dem/cell_shape.h>
 #include <dem/deform.h>
 #include <dem/packing.h>
@@ -64,6 +65,7 @@ void finish_packing(UnitCell &cell,
                     const PackingRequest &request,
                     const CompressionObserver &observe)
 {
+  CellLaws(cell).check(cell);
   if (request.friction_during_packing >= 0)
     cell.contact.friction_coefficient = request.friction_during_packing;
   compress(cell, request.goal, observe);

@@ -45,7 +45,8 @@ struct PackingRequest {
 
 /// A jammed periodic packing at equilibrium: grains are put at random without
 /// touching, then the cell is compressed to its goal. Deterministic in the
-/// request. Throws std::runtime_error if the packing does not jam.
+/// request. Throws std::runtime_error if the packing does not jam, and
+/// std::invalid_argument as deform().
 /// @param observe  see compress(); may be empty
 UnitCell make_packing(const PackingRequest &request,
                       const CompressionObserver &observe = {});

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <dem/laws/ended_contact.h>
 #include <dem/pair_path.h>
 
 #include <algorithm>
@@ -9,12 +10,14 @@ namespace tamp::dem
 PairContact::PairContact(const PairLaws &laws, const PairShape<double> &shape)
     : laws_(laws), shape_(shape), more_(laws.more(), 0)
 {
+  check_size(laws, shape.reduced_radius);
 }
 
 const PairForces &PairContact::advance(const PairMotion &motion)
 {
   const bool damped = laws_.viscous && motion.time > 0;
   push(motion.overlap);
+  elastic_push_ = forces_.push;
   const double damping = damped ? damp_push(motion) : 0;
   rub(motion);
   if (damped)
@@ -41,17 +44,16 @@ NormalEnergy PairContact::normal_energy() const
 void PairContact::push(double overlap)
 {
   std::vector<double> before = more_;
+  const NormalMemory<double> old = memory(before);
   NormalMemory<double> now = memory(more_);
-  std::visit(
+  const EndedContact ended = std::visit(
       [&](const auto &law) {
         forces_.push = law(overlap, shape_, now);
-        const bool touches = forces_.push.contact_radius > 0;
-        if (contact_radius_ == 0 && touches)
-          losses_.adhesion += law.lost_at_touch(shape_, memory(before));
-        if (contact_radius_ > 0 && !touches)
-          losses_.adhesion += law.lost_at_tear(shape_, memory(before));
+        return end_of(law, shape_, old, overlap, forces_.push.contact_radius);
       },
       laws_.normal);
+  losses_.adhesion += ended.adhesion;
+  losses_.plastic += ended.forgotten;
   old_radius_ = contact_radius_;
   overlap_ = overlap;
   contact_radius_ = forces_.push.contact_radius;
@@ -59,7 +61,6 @@ void PairContact::push(double overlap)
   // A contact is remembered while the grains overlap or stick.
   if (contact_radius_ > 0 || overlap > 0)
     return;
-  losses_.plastic += normal_energy().dissipated;
   largest_overlap_ = 0;
   std::fill_n(more_.begin(), laws_.normal_more(), 0);
 }
@@ -142,9 +143,8 @@ void PairContact::roll(const PairMotion &motion)
   own[0] = forces_.moment.x;
   own[1] = forces_.moment.y;
   own[2] = forces_.moment.z;
-  if (held)
-    losses_.friction += answer.lost_work;
-  else
+  losses_.friction += answer.lost_work;
+  if (!held)
     std::fill_n(own, laws_.rolling_more(), 0);
 }
 
@@ -169,6 +169,15 @@ bool PairContact::slides() const
 double PairContact::elastic_energy() const
 {
   return normal_energy().elastic;
+}
+
+double PairContact::spring_energy() const
+{
+  return dem::spring_energy(laws_,
+                            shape_,
+                            elastic_push_,
+                            tangential_,
+                            more_.data() + laws_.normal_more());
 }
 
 PairLosses PairContact::losses() const

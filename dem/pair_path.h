@@ -42,6 +42,7 @@ struct PairLosses {
 class PairContact
 {
 public:
+  /// Throws std::invalid_argument as check_size().
   PairContact(const PairLaws &laws, const PairShape<double> &shape);
 
   /// Goes on by one increment, and writes the memory.
@@ -60,6 +61,8 @@ public:
   bool slides() const;
   /// Stored in the normal direction [J]; below zero where grains adhere.
   double elastic_energy() const;
+  /// Stored in the tangential and the rolling spring [J].
+  double spring_energy() const;
   PairLosses losses() const;
 
   /// A measure of the longest time step, sqrt(m* / (dN/d delta)), for a contact
@@ -78,6 +81,7 @@ private:
   PairLaws laws_;
   PairShape<double> shape_;
   PairForces forces_;
+  NormalAnswer<double> elastic_push_{0, 0, 0}; // without damping
   // The memory of the contact.
   double overlap_ = 0, largest_overlap_ = 0, contact_radius_ = 0;
   double old_radius_ = 0; // before the last increment

@@ -203,7 +203,9 @@ void Increment<T>::adopt(CellAnswer &answer)
       0.25 * (old_volume + cell_.box.volume()) *
       ((old_stress + answer.stress).array() * log_stretch_.array()).sum();
   cell_.energy.friction_dissipation += totals.lost_work;
-  cell_.energy.plastic_dissipation += plastic_loss(cell_) - old_loss;
+  cell_.energy.adhesion_dissipation += totals.adhesion_loss;
+  cell_.energy.plastic_dissipation +=
+      plastic_loss(cell_) - old_loss + totals.forgotten_loss;
 }
 
 /// One increment with or without a guess.

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <sstream>
 
@@ -23,8 +22,6 @@ constexpr double largest_inertial_number = 1e-3;
 constexpr double narrowest_box = 3;
 // delta_y / R*: the theory of small contacts ends here.
 constexpr double largest_yield_overlap = 0.1;
-// p_y / p_a, see AdhesiveYield: below 0.45 cycles gain energy.
-constexpr double least_yield_over_adhesion = 0.5;
 
 template <class... Parts>
 std::string text(const Parts &...parts)
@@ -48,23 +45,6 @@ double yield_overlap(const UnitCell &cell)
       largest = std::max(largest, root * root);
     }
   return largest;
-}
-/// Smallest p_y / p_a of the materials under adhesion, where
-/// p_a = (2 E*^2 Gamma / (pi^2 R*))^(1/3) for the smallest grains; infinite
-/// for other laws.
-double yield_over_adhesion(const UnitCell &cell)
-{
-  double smallest = std::numeric_limits<double>::infinity();
-  if (cell.contact.normal_law == NormalLaw::thornton_ning_jkr)
-    for (const GrainMaterial &material : cell.materials) {
-      const PairMaterial pair = pair_material(material, material);
-      const double pressure = std::cbrt(
-          2 * pair.effective_modulus * pair.effective_modulus *
-          cell.contact.work_of_adhesion /
-          (std::numbers::pi * std::numbers::pi * 0.5 * cell.smallest_radius()));
-      smallest = std::min(smallest, pair.limiting_pressure / pressure);
-    }
-  return smallest;
 }
 } // namespace
 
@@ -110,16 +90,6 @@ judge(const UnitCell &cell, const Driving &driving, const Matrix3 &stress)
                             " R* only, beyond any small contact; the limiting "
                             "contact pressure is too high for Young's "
                             "modulus")});
-  if (const double ratio = yield_over_adhesion(cell);
-      ratio < least_yield_over_adhesion)
-    remarks.push_back({Kind::adhesion_out_of_range,
-                       text("the limiting contact pressure is only ",
-                            ratio,
-                            " of the pressure by which adhesion pulls the "
-                            "smallest grains together, below ",
-                            least_yield_over_adhesion,
-                            " the law of plastic contacts with adhesion gains "
-                            "energy")});
   return remarks;
 }
 } // namespace tamp::dem

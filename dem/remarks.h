@@ -15,11 +15,10 @@ class UnitCell;
 /// Something that a user should know about an answer.
 struct Remark {
   enum class Kind {
-    beyond_pair_laws,     ///< so dense that contacts feel each other
-    not_quasi_static,     ///< inertia matters
-    box_narrow,           ///< soon too narrow for nearest images
-    yields_out_of_range,  ///< the pressure limit is beyond any small contact
-    adhesion_out_of_range ///< adhesion beyond what the plastic law bears
+    beyond_pair_laws,   ///< so dense that contacts feel each other
+    not_quasi_static,   ///< inertia matters
+    box_narrow,         ///< soon too narrow for nearest images
+    yields_out_of_range ///< the pressure limit is beyond any small contact
   } kind;
   std::string text; ///< half a sentence with the value and the limit
   bool operator==(const Remark &) const = default;

@@ -27,9 +27,10 @@ struct LastMotion {
 /// Work and heat since the cell was made [J].
 struct EnergyAccount {
   double work = 0;                 ///< done by the stress on the cell
-  double plastic_dissipation = 0;  ///< in the normal laws
-  double friction_dissipation = 0; ///< by sliding
+  double plastic_dissipation = 0;  ///< by yielding
+  double friction_dissipation = 0; ///< by sliding and rolling
   double damping_dissipation = 0;  ///< globally and in contacts; dynamics only
+  double adhesion_dissipation = 0; ///< in jumps of the force, at touch and tear
   bool operator==(const EnergyAccount &) const = default;
 };
 

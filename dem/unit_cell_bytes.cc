@@ -13,14 +13,14 @@ namespace tamp::dem
 {
 namespace
 {
-constexpr std::uint64_t mark = 0x334c4c4543504d54; // "TMPCELL3"
+constexpr std::uint64_t mark = 0x344c4c4543504d54; // "TMPCELL4"
 
 // Records are written as they lie in memory, which must have no gaps: what is
 // in them is no value. ContactModel has gaps.
 static_assert(sizeof(GrainMaterial) == 4 * sizeof(double));
 static_assert(sizeof(Vector3) == 3 * sizeof(double));
 static_assert(sizeof(ContactMemory) == sizeof(Pair) + 5 * sizeof(double));
-static_assert(sizeof(EnergyAccount) == 4 * sizeof(double));
+static_assert(sizeof(EnergyAccount) == 5 * sizeof(double));
 
 /// All parts of a contact model, in the order of the bytes.
 template <class Model, class Visitor>

@@ -160,7 +160,7 @@ void roll(const Rolling &law,
       more.store(contacts.more_after + b * stride, lane);
       add_moments<T>(
           {more.value[0], more.value[1], more.value[2]}, before, lane, rows);
-      lost += select(touches, answer.lost_work, P(0.0));
+      lost += answer.lost_work;
     }
   totals.lost_work += sum(lost);
 }

@@ -30,6 +30,9 @@ struct KernelTotals {
   T beyond = 0;       ///< above zero if an overlap is beyond 2 R* [m]
   T lost_work = 0;    ///< by the tangential and rolling laws [J]
   T damped_work = 0;  ///< by contact damping [J]
+  // Of written memory only:
+  T adhesion_loss = 0;  ///< as grains touch and tear [J]
+  T forgotten_loss = 0; ///< to yielding, of contacts that are forgotten [J]
 };
 
 /// The blocks of one kind of pairs: memory is read from `before` and written to

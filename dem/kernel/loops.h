@@ -2,6 +2,7 @@
 #ifndef dem_kernel_loops_h
 #define dem_kernel_loops_h
 
+#include <dem/kernel/ended_contacts.h>
 #include <dem/kernel/kernel.h>
 #include <dem/kernel/pack.h>
 #include <dem/kernel/transpose.h>
@@ -147,6 +148,7 @@ void push(const void *constants,
   using P = Pack<T>;
   const Law law = *static_cast<const Law *>(constants);
   const std::size_t stride = contacts.more_rows * lanes<T>;
+  [[maybe_unused]] const bool written = contacts.before == contacts.after;
   P force_sum(0.0), touching(0.0), beyond(0.0);
   for (std::size_t b = 0; b < contacts.blocks; ++b)
     for (std::size_t lane = 0; lane < lanes<T>; lane += P::size) {
@@ -157,15 +159,20 @@ void push(const void *constants,
       const P overlap = P::load(chunk.overlap + k);
       More<T, Law::more> more;
       more.load(contacts.more_before + b * stride, lane);
+      const P largest = P::load(before.largest_overlap + lane);
       const P old_radius = P::load(before.contact_radius + lane);
       old_radius.store(chunk.old_radius + k);
-      NormalMemory<P> memory = {
-          P::load(before.largest_overlap + lane), old_radius, more.value};
+      NormalMemory<P> memory = {largest, old_radius, more.value};
       const NormalAnswer<P> answer = law(overlap, pair, memory);
 
       // A contact is remembered while the grains overlap or stick.
       const auto touches = answer.contact_radius > P(0.0);
       const auto kept = touches | (overlap > P(0.0));
+      if constexpr (!std::is_same_v<Law, Hertz>) // which loses nothing
+        if (written && any(ends<Law>(largest, old_radius, touches, kept)))
+            [[unlikely]]
+          book_ends(
+              law, contacts, chunk, b, lane, answer.contact_radius, totals);
       select(kept, memory.largest_overlap, P(0.0))
           .store(after.largest_overlap + lane);
       answer.contact_radius.store(after.contact_radius + lane);

@@ -82,6 +82,8 @@ public:
     totals_.too_deep = totals_.too_deep || part.beyond > 0;
     totals_.lost_work += double(part.lost_work);
     totals_.damped_work += double(part.damped_work);
+    totals_.adhesion_loss += double(part.adhesion_loss);
+    totals_.forgotten_loss += double(part.forgotten_loss);
   }
   const SweepTotals &totals() const { return totals_; }
 
@@ -107,6 +109,8 @@ void add(SweepTotals &sum, const SweepTotals &part)
   sum.too_deep = sum.too_deep || part.too_deep;
   sum.lost_work += part.lost_work;
   sum.damped_work += part.damped_work;
+  sum.adhesion_loss += part.adhesion_loss;
+  sum.forgotten_loss += part.forgotten_loss;
 }
 } // namespace
 

@@ -26,6 +26,10 @@ struct SweepTotals {
   double lost_work = 0;     ///< by rubbing and rolling since the memory was
                             ///< written [J]; for written memory only
   double damped_work = 0;   ///< by damping in the contacts [J]
+  // Of written memory only:
+  double adhesion_loss = 0;  ///< as grains touch and tear [J]
+  double forgotten_loss = 0; ///< to yielding, of contacts whose memory is gone
+                             ///< and which no measure counts any more [J]
   /// Sum of f (x) l, f the force of the first grain on the second, l the
   /// branch, if asked for [N m].
   Matrix3 moment = Matrix3::Zero();

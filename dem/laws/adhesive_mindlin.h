@@ -96,6 +96,18 @@ struct AdhesiveMindlin {
     return {share * tried, slid / max(k, V(tiny)) + stored};
   }
 
+  /// Integral of T dT / (8 G* a(T)), by Simpson's rule [J].
+  double stored(const Triple<double> &force,
+                const NormalAnswer<double> &push,
+                const double *) const
+  {
+    const double square = dot(force, force);
+    const double middle = peeled_radius(push, 0.25 * square);
+    const double end = peeled_radius(push, square);
+    return square / 6 *
+           (2 / max(stiffness(middle), tiny) + 1 / max(stiffness(end), tiny));
+  }
+
 private:
   static constexpr int passes = 3; // each leaves a tenth of the error or less
 };

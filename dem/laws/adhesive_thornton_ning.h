@@ -15,6 +15,7 @@ namespace tamp::dem
 /// overlap that is larger than ever before, as in Thornton & Ning without
 /// adhesion. Both set free a positive energy; the second matters only for
 /// contacts that adhesion alone makes yield, where delta_p may exceed delta*.
+/// Grains that are too fine or too soft for the law gain energy, see check().
 /// Source: Thornton & Ning (1998), Powder Technol. 99:154.
 class AdhesiveThorntonNing
 {
@@ -34,6 +35,10 @@ public:
         yield_(effective_modulus, limiting_pressure, elastic_)
   {
   }
+
+  /// Throws std::invalid_argument if p_y is below
+  /// AdhesiveYield::least_pressure() for this R* [m].
+  void check(double radius) const { yield_.check(radius); }
 
   /// Force and contact radius at an overlap.
   template <class V>

@@ -27,6 +27,15 @@ struct Dent {
 /// N = N_y + pi p_y (a^2 - a_y^2) - 2 a_y sqrt(2 pi Gamma E*) (sqrt(a) -
 /// sqrt(a_y)). The pair that remains has R_p* = R*/m and delta_p =
 /// a*^2 (1 - m)/R*, m = (N* + sqrt(8 pi Gamma E* a*^3)) 3 R*/(4 E* a*^3).
+///
+/// The ring of tension outside the yielded middle is kept as that of an elastic
+/// contact, 2 a_y sqrt(2 pi Gamma E*) sqrt(a), so that its work grows as
+/// a^(5/2) while the surfaces that join pay Gamma pi a^2, and yielding p_y a^4.
+/// Where p_y is low, the tension wins for some a: grains that are pressed
+/// together and torn apart give back more than they took. In units of JKR's
+/// lengths p_y / p_a is the only number left, and the least that a path from no
+/// contact to no contact can lose, over all largest overlaps, vanishes at
+/// p_y = 0.4248 p_a. The law is no law below; see least_pressure().
 /// Source: Thornton & Ning (1998), Powder Technol. 99:154.
 class AdhesiveYield
 {
@@ -42,6 +51,17 @@ public:
                min(limiting_pressure / effective_modulus, out_of_reach))
   {
   }
+
+  /// The lowest p_y with which no closed path gains energy [Pa].
+  /// @param effective_modulus  E* [Pa]
+  /// @param work_of_adhesion   Gamma [J/m2]
+  /// @param radius             R* [m]
+  static double least_pressure(double effective_modulus,
+                               double work_of_adhesion,
+                               double radius);
+  /// Throws std::invalid_argument if p_y is below least_pressure().
+  /// @param radius  R* [m]
+  void check(double radius) const;
 
   /// @param largest_overlap  delta* >= 0 [m]
   template <class V>
@@ -84,11 +104,8 @@ public:
 
   /// What yielding took: work of the virgin curve, N = A + P s^4 - B s, from
   /// s = sqrt(a_y) to sqrt(a*), and stored before, less stored after [J].
-  /// It only grows if p_y > 1.4 p_a, p_a = (2 E*^2 Gamma/(pi^2 R*))^(1/3),
-  /// where adhesion alone yields at first touch; a path from no contact to no
-  /// contact loses in all if p_y > 0.45 p_a. Softer or finer grains are beyond
-  /// the law: its virgin curve then pulls more than the surfaces that join pay
-  /// for.
+  /// It only grows if p_y > 1.4 p_a, where p_a = (2 E*^2 Gamma/(pi^2 R*))^(1/3)
+  /// is the pressure that adhesion alone makes at first touch.
   double lost(const Dent<double> &left, double radius) const
   {
     const double s = left.peak_root, y = left.yield_root;

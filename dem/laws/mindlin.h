@@ -57,6 +57,14 @@ struct Mindlin {
                  inverse)};
   }
 
+  /// T^2 / (2 k_t) [J].
+  double stored(const Triple<double> &force,
+                const NormalAnswer<double> &push,
+                const double *) const
+  {
+    return 0.5 * dot(force, force) / max(stiffness(push.contact_radius), tiny);
+  }
+
 private:
   /// Work of sliding at the limit from the kept force on, what a limit below
   /// the kept force takes, and what the radius takes off the old force [J]. A
@@ -105,6 +113,12 @@ struct NoTangentialForce {
   operator()(const Triple<V> &, const ContactMotion<V> &, V *) const
   {
     return {{V(0.0), V(0.0), V(0.0)}, V(0.0)};
+  }
+  double stored(const Triple<double> &,
+                const NormalAnswer<double> &,
+                const double *) const
+  {
+    return 0;
   }
 };
 } // namespace tamp::dem

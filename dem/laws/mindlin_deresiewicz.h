@@ -75,6 +75,14 @@ struct MindlinDeresiewicz {
     return {state.force, heat + rubbed};
   }
 
+  /// What the memory counts as put in and not lost [J].
+  double stored(const Triple<double> &,
+                const NormalAnswer<double> &,
+                const double *own) const
+  {
+    return own[6];
+  }
+
 private:
   /// The force after a fall of the normal force without slip: the rings are
   /// held to less, the core keeps its slip.
@@ -131,7 +139,8 @@ private:
         select(first, held + held, max(V(0.0), memory.width + V(2.0) * shift));
     memory.reserve = select(first, V(0.0), max(V(0.0), memory.reserve + shift));
     memory.limit = after.limit;
-    const V less = energy - after.energy(min(size, after.limit));
+    // A rise moves nothing and costs nothing.
+    const V less = select(fell, energy - after.energy(held), V(0.0));
     const V heat = select(after.limit > V(tiny),
                           min(max(V(0.0), less), memory.energy),
                           memory.energy);
@@ -160,18 +169,26 @@ private:
                    curve.limit * over / k;
     const V work = dot(old, slip) + fresh.work - wrong.work + right.work -
                    V(0.5) * over * over / k;
-    const V energy = max(V(0.0), memory.energy + work - heat);
+    // A ring whose traction a change of the normal force has lowered heats less
+    // than the curve says: what the force needs stays.
+    const V held = min(size, curve.limit);
+    const V whole = memory.energy + work;
+    const V spare = max(V(0.0), whole - V(0.5) * held * held / k);
+    const V energy = max(V(0.0), whole - min(heat, spare));
     const V most = min(curve.limit, sqrt(V(2.0) * k * energy));
     state.force = min(V(1.0), most / max(size, V(tiny))) * tried;
 
     const auto turns = on < V(0.0);
+    // The older turning point stays where it is, however much of the reserve
+    // the turn takes in.
     const V ahead = select(way >= branches.wait, memory.reserve, V(0.0));
+    const V behind = branches.front - memory.reserve;
     memory.turn = choose(turns, old + ahead * branches.along, memory.turn);
-    memory.width = select(turns, branches.front, memory.width);
+    memory.width = select(turns, behind + ahead, memory.width);
     memory.reserve =
         select(turns, V(0.0), max(V(0.0), memory.reserve - right.force));
     state.forget();
-    const V lost = max(V(0.0), memory.energy + work - energy);
+    const V lost = max(V(0.0), whole - energy);
     memory.energy = energy;
     return lost;
   }

@@ -98,4 +98,27 @@ PairLaws pair_laws(const ContactModel &model,
         Viscous(pair.effective_modulus, model.restitution_coefficient);
   return laws;
 }
+
+double spring_energy(const PairLaws &laws,
+                     const PairShape<double> &pair,
+                     const NormalAnswer<double> &push,
+                     const Triple<double> &force,
+                     const double *own)
+{
+  const double tangential =
+      std::visit([&](const auto &law) { return law.stored(force, push, own); },
+                 laws.tangential);
+  if (!laws.rolling)
+    return tangential;
+  const double *const m = own + laws.tangential_more();
+  return tangential +
+         laws.rolling->stored(
+             {m[0], m[1], m[2]}, {m[3], m[4], m[5]}, pair, push.contact_radius);
+}
+
+void check_size(const PairLaws &laws, double reduced_radius)
+{
+  if (const auto *law = std::get_if<AdhesiveThorntonNing>(&laws.normal))
+    law->check(reduced_radius);
+}
 } // namespace tamp::dem

@@ -56,6 +56,19 @@ struct PairLaws {
 PairLaws pair_laws(const ContactModel &model,
                    const GrainMaterial &first,
                    const GrainMaterial &second);
+/// What the tangential and the rolling spring of a contact hold [J].
+/// @param push   without damping
+/// @param force  tangential, on the first grain, without damping [N]
+/// @param own    numbers that the tangential and the rolling law keep
+double spring_energy(const PairLaws &laws,
+                     const PairShape<double> &pair,
+                     const NormalAnswer<double> &push,
+                     const Triple<double> &force,
+                     const double *own);
+
+/// Throws std::invalid_argument if the laws do not hold for grains so small:
+/// see AdhesiveThorntonNing::check().
+void check_size(const PairLaws &laws, double reduced_radius);
 } // namespace tamp::dem
 
 #endif

@@ -97,7 +97,8 @@ struct SlipCurve {
   /// the contact turns, and at the opposite force the turn is forgotten.
   SlipResponse<V> first_loading(const V &start, const V &way) const
   {
-    const V size = abs(start), begin = slip(size, 1), end = begin + begin;
+    const V size = min(abs(start), limit), begin = slip(size, 1);
+    const V end = begin + begin;
     const SlipResponse<V> on{force(begin + way, 1) - size,
                              lost(begin + way, 1) - lost(begin, 1),
                              work(begin + way, 1) - work(begin, 1) -

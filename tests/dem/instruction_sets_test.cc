@@ -97,6 +97,8 @@ void expect_same(const Result &found, const Result &wanted, double tolerance)
   const double work = b.normal_force * motion_size;
   EXPECT_NEAR(a.lost_work, b.lost_work, tolerance * work);
   EXPECT_NEAR(a.damped_work, b.damped_work, tolerance * work);
+  EXPECT_NEAR(a.adhesion_loss, b.adhesion_loss, tolerance * work);
+  EXPECT_NEAR(a.forgotten_loss, b.forgotten_loss, tolerance * work);
   expect_same_memories(found.cell, wanted.cell, force, tolerance);
 }
 

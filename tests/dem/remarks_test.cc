@@ -48,19 +48,6 @@ TEST(Remarks, EachDoubtIsNamedAlone)
   EXPECT_TRUE(judge(misprint, {}, one_megapascal).empty());
 }
 
-TEST(Remarks, AdhesionMayBeTooStrongForThePlasticLaw)
-{
-  UnitCell cell = test::alumina_cell();
-  cell.contact.normal_law = NormalLaw::thornton_ning_jkr;
-  // p_a = (2 E*^2 Gamma / (pi^2 R*))^(1/3) with E* = 1.92 GPa, R* = 112 um:
-  // 87 MPa at 100 J/m2, more than twice p_y = 50 MPa only from 150 J/m2 on.
-  cell.contact.work_of_adhesion = 100;
-  EXPECT_TRUE(judge(cell, {}, one_megapascal).empty());
-  cell.contact.work_of_adhesion = 200;
-  EXPECT_TRUE(
-      says(judge(cell, {}, one_megapascal), Kind::adhesion_out_of_range));
-}
-
 TEST(Remarks, FastDrivingIsNotQuasiStaticWhereStressIsLow)
 {
   Driving driving;

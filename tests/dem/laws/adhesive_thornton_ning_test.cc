@@ -38,9 +38,7 @@ struct Sample {
   }
   Losses losses() const // as adhesive_yield.h says
   {
-    return hardness() > 1.4   ? Losses::grow
-           : hardness() > 0.5 ? Losses::on_closed_paths
-                              : Losses::unsure;
+    return hardness() > 1.4 ? Losses::grow : Losses::on_closed_paths;
   }
   double pull_off(double r) const { return 1.5 * pi * adhesion * r; }
   double tear_depth(double r) const
@@ -288,23 +286,6 @@ TEST(AdhesiveThorntonNing, LosesAsItTouchesAndTears)
   }
 }
 
-TEST(AdhesiveThorntonNing, ClosedPathsLoseUnlessAdhesionRules)
-{
-  const PairShape<double> pair = pair_of(1);
-  for (const double hardness : {0.5, 0.7, 1.0, 1.5, 5.0}) {
-    const Sample unit{1, 1, 1e-3, 1};
-    const Law law(1, hardness / unit.hardness(), unit.adhesion);
-    const double first = law.lost_at_touch(pair, {0, 0});
-    EXPECT_GT(first, 0);
-    for (double share = 1e-3; share < 1e4; share *= 1.1) {
-      const NormalMemory<double> memory{share * unit.tear_depth(1), 0};
-      const double lost = law.energy(0, pair, memory).dissipated;
-      EXPECT_GT(first + lost + law.lost_at_tear(pair, memory), 0);
-      EXPECT_GT(law.lost_at_touch(pair, memory), 0);
-    }
-  }
-}
-
 TEST(AdhesiveThorntonNing, WithoutAdhesionIsThorntonNing)
 {
   constexpr double tolerance = 1e-9; // promised
@@ -365,27 +346,32 @@ TEST(AdhesiveThorntonNing, WithoutYieldingIsJkr)
     }
 }
 
+/// A fifth without adhesion; where p_y would be too low, the lowest that may
+/// be.
 Sample any_sample(RandomNumbers &random)
 {
   const double modulus = std::pow(10.0, 6 + 6 * random.next());
-  const double adhesion = std::pow(10.0, -4 + 4 * random.next());
-  return {modulus,
-          modulus * std::pow(10.0, -4 + 4 * random.next()),
-          random.next() > 0.2 ? adhesion : 0,
-          std::pow(10.0, -6 + 6 * random.next())};
+  const double some = std::pow(10.0, -4 + 4 * random.next());
+  const double pressure = modulus * std::pow(10.0, -4 + 4 * random.next());
+  const double adhesion = random.next() > 0.2 ? some : 0;
+  const double radius = std::pow(10.0, -6 + 6 * random.next());
+  const double least = AdhesiveYield::least_pressure(modulus, adhesion, radius);
+  return {modulus, std::max(pressure, least), adhesion, radius};
 }
 
 TEST(AdhesiveThorntonNing, GivesNoEnergyAwayOnRandomPaths)
 {
   RandomNumbers random(7);
-  int broken = 0, growing = 0;
+  int broken = 0, growing = 0, at_the_bound = 0;
   for (int path = 0; path < 100000; ++path) {
     const Sample s = any_sample(random);
     growing += s.losses() == Losses::grow;
+    at_the_bound += s.hardness() < 0.4251;
     broken += count_broken(s.law(), s.radius, s.losses(), random);
   }
   EXPECT_EQ(broken, 0);
   EXPECT_GT(growing, 50000);
+  EXPECT_GT(at_the_bound, 1000);
 }
 
 TEST(AdhesiveThorntonNing, IsTheSameInPacksAndInFloat)

@@ -97,8 +97,8 @@ void expect_slope(const Walk<Law> &at, double overlap, bool loading)
 }
 
 /// What a law says of its losses: none ever shrinks, or that a path from no
-/// contact to no contact loses in all, or nothing.
-enum class Losses { grow, on_closed_paths, unsure };
+/// contact to no contact loses in all.
+enum class Losses { grow, on_closed_paths };
 
 /// Walks a random path and counts what is wrong: numbers that are not finite,
 /// work that is not in the ledger, losses that shrink, grains that do not part,
@@ -133,7 +133,7 @@ int count_broken(const Law &law,
   broken += walk.now.contact_radius > 0 || walk.now.force != 0;
   broken +=
       losses == Losses::grow && !(lost() >= gone * (1 - 1e-12)); // rounding
-  broken += losses != Losses::unsure && !(lost() >= 0);
+  broken += !(lost() >= 0);
   broken += law.energy(walk.overlap, walk.pair, walk.memory).elastic != 0;
   return broken;
 }

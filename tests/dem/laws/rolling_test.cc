@@ -119,14 +119,56 @@ TEST_F(RollingPair, NoMomentWithoutNormalForceOrFriction)
   EXPECT_EQ(length(start(1e-3, 1e-3).moment), 0);
 }
 
+TEST_F(RollingPair, OpeningLosesAllThatIsStored)
+{
+  const Vector old = start(1e-4, 1e-3).moment;
+  const double held = law.stored(old, n, now.pair, 1e-6);
+  const double roll = law.rolling_stiffness(now.pair, 1e-6);
+  const double twist = law.twisting_stiffness(1e-6);
+  EXPECT_NEAR(held, 0.5 * (roll * 1e-8 + twist * 1e-6), exact * held);
+  now.rotation = {0, 0, 0};
+  now.push = {0, 0, 0};
+  EXPECT_NEAR(answer(old).lost_work, held, exact * held);
+  EXPECT_EQ(length(answer(old).moment), 0);
+}
+
+TEST_F(RollingPair, AFallingLimitOrRadiusLosesTheDifferenceOfWhatIsStored)
+{
+  for (const double radius : {1e-6, 0.8e-6, 1.3e-6}) {
+    now.push = {2e-3, 1e-6, 0};
+    now.old_radius = 1e-6;
+    memory = {};
+    const Vector old = start(1, 1).moment; // at both limits
+    const double held = law.stored(old, n, now.pair, 1e-6);
+    now.rotation = {0, 0, 0};
+    now.push = {0.3 * 2e-3, radius, 0};
+    const auto found = answer(old);
+    const double left = law.stored(found.moment, n, now.pair, radius);
+    EXPECT_LT(left, 0.5 * held);
+    EXPECT_NEAR(found.lost_work, held - left, exact * held);
+  }
+}
+
+TEST_F(RollingPair, ANewContactLosesNothingInSinglePrecision)
+{
+  const Rolling stiff{8e10f, 3e10f, 0.1f, 0.4f};
+  const RollingMotion<float> first{.pair = {2, 0.5, 0, 1},
+                                   .normal = {1, 0, 0},
+                                   .rotation = {0, 0, 0},
+                                   .spin = 0,
+                                   .old_radius = 0,
+                                   .push = {2e3f, 1e-2f, 0}};
+  std::array<float, Rolling::more> none{};
+  EXPECT_EQ(stiff({0, 0, 0}, first, none.data()).lost_work, 0);
+}
+
 TEST_F(RollingPair, RandomPathsStayBelowLimitsAndOnlyHeat)
 {
-
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> one(-1, 1);
   Vector moment{0, 0, 0};
   double radius = 1e-6;
-  for (int k = 0; k < 20000; ++k) {
+  for (int k = 0; k < 100000; ++k) {
     now.old_radius = radius;
     radius = 1e-6 * (1.01 + one(random));
     now.push = {2e-3 * std::pow(radius / 1e-6, 3), radius, 0};
