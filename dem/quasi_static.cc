@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <dem/cell_growth.h>
 #include <dem/fire.h>
 #include <dem/hill_mandel.h>
 #include <dem/kernel/kernel.h>
@@ -257,6 +258,7 @@ CellAnswer step(UnitCell &cell,
                 const Arithmetic &arithmetic,
                 WarmGuess *guess)
 {
+  grow(cell);
   return arithmetic.precision == Precision::mixed
              ? step_in<float>(cell, stretch, settings, arithmetic, guess)
              : step_in<double>(cell, stretch, settings, arithmetic, guess);

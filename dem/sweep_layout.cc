@@ -48,14 +48,17 @@ void SweepLayout<T>::read_memories(UnitCell &cell) const
 template <class T>
 typename SweepLayout<T>::Stiffness SweepLayout<T>::stiffness() const
 {
+  constexpr std::size_t lanes = ContactBlock<T>::lanes;
   Stiffness sum{std::vector<double>(rows_.size(), 0.0),
                 std::vector<double>(rows_.size(), 0.0),
                 std::vector<double>(rows_.size(), 0.0)};
+  std::vector<double> more(contacts_.more_per_contact());
   const auto add = [&](const auto &normal,
                        const auto &tangential,
                        double modulus,
-                       const ContactBlock<T> &block,
+                       std::size_t b,
                        std::size_t lane) {
+    const ContactBlock<T> &block = contacts_.blocks()[b];
     const std::size_t i = block.first[lane], j = block.second[lane];
     const double overlap = block.overlap[lane];
     if (overlap <= 0 && block.contact_radius[lane] <= 0)
@@ -64,9 +67,12 @@ typename SweepLayout<T>::Stiffness SweepLayout<T>::stiffness() const
                                      block.reduced_radius[lane],
                                      double(rows_[j].radius - rows_[i].radius),
                                      0};
+    for (std::size_t m = 0; m < more.size(); ++m)
+      more[m] = double(contacts_.more()[(b * more.size() + m) * lanes + lane]);
     const NormalMemory<double> memory = {
         std::max(overlap, double(block.largest_overlap[lane])),
-        block.contact_radius[lane]};
+        block.contact_radius[lane],
+        more.data()};
     const double kn = normal.steepest_slope(shape, memory);
     const double kt = tangential.stiffness(kn / (2 * modulus));
     sum.largest = std::max(sum.largest, kn + kt);
@@ -81,11 +87,11 @@ typename SweepLayout<T>::Stiffness SweepLayout<T>::stiffness() const
     std::visit(
         [&](const auto &normal, const auto &tangential) {
           for (std::size_t b = 0; b < group.blocks; ++b)
-            for (std::size_t l = 0; l < ContactBlock<T>::lanes; ++l)
+            for (std::size_t l = 0; l < lanes; ++l)
               add(normal,
                   tangential,
                   laws.effective_modulus,
-                  contacts_.blocks()[group.first_block + b],
+                  group.first_block + b,
                   l);
         },
         laws.normal,
