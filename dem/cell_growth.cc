@@ -2,6 +2,7 @@
 #include <dem/cell_growth.h>
 #include <dem/cell_laws.h>
 #include <dem/grain_growth.h>
+#include <dem/measures.h>
 #include <dem/unit_cell.h>
 
 #include <algorithm>
@@ -73,5 +74,12 @@ void grow(UnitCell &cell)
                 Mdr::more,
                 cell.more_memory.data() + c * all);
   take_radii(cell, growth.radius);
+}
+
+double unstored_work(const UnitCell &cell, double kinetic_energy)
+{
+  const EnergyAccount &energy = cell.energy;
+  return energy.work - energy.friction_dissipation -
+         energy.damping_dissipation - elastic_energy(cell) - kinetic_energy;
 }
 } // namespace tamp::dem

@@ -17,6 +17,12 @@ bool grains_grow(const UnitCell &cell);
 /// only then, so that a cell at rest is in equilibrium, and its stress is that
 /// of its contacts; and a trial that is not wanted takes its growth with it.
 void grow(UnitCell &cell);
+
+/// Work done on a cell so far less what is stored in its contacts, rubbed away
+/// and damped away [J]. Grains that grow bring the energies of their contacts
+/// out of any account of pairs; what this rises by is what they lost for good,
+/// by plastic flow. The kinetic energy is taken off, too.
+double unstored_work(const UnitCell &cell, double kinetic_energy = 0);
 } // namespace tamp::dem
 
 #endif

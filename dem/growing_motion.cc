@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <dem/cell_growth.h>
+#include <dem/dynamics.h>
 #include <dem/growing_motion.h>
 #include <dem/stretch.h>
 #include <dem/unit_cell.h>
@@ -19,7 +20,8 @@ public:
   GrowingMotion(UnitCell &cell,
                 const Dynamics &settings,
                 const Arithmetic &arithmetic)
-      : cell_(cell), settings_(settings), arithmetic_(arithmetic)
+      : cell_(cell), settings_(settings), arithmetic_(arithmetic),
+        first_loss_(cell.energy.plastic_dissipation - unstored())
   {
     start();
   }
@@ -31,14 +33,18 @@ public:
     constexpr double round_off = 1e-9;
     if (strain_ >= (1 - round_off) * strain_between_growths ||
         motion_->steps() >= steps_between_growths) {
-      motion_->write_cell();
+      write_cell();
       earlier_steps_ += motion_->steps();
       start();
     }
     strain_ += largest_principal(log_stretch);
     return motion_->advance(log_stretch, steps, time_step);
   }
-  void write_cell() override { motion_->write_cell(); }
+  void write_cell() override
+  {
+    motion_->write_cell();
+    cell_.energy.plastic_dissipation = first_loss_ + unstored();
+  }
   double time_step() const override { return motion_->time_step(); }
   Matrix3 stress() const override { return motion_->stress(); }
   double unbalance() const override { return motion_->unbalance(); }
@@ -49,6 +55,11 @@ public:
   }
 
 private:
+  double unstored() const
+  {
+    return unstored_work(cell_,
+                         measure_dynamics(cell_, settings_, 0).kinetic_energy);
+  }
   void start()
   {
     grow(cell_);
@@ -60,6 +71,7 @@ private:
   Dynamics settings_;
   Arithmetic arithmetic_;
   std::unique_ptr<Motion> motion_;
+  double first_loss_; // plastic, less the unstored work [J]
   double strain_ = 0; // since the grains grew
   std::size_t earlier_steps_ = 0;
 };

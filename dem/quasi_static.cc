@@ -252,16 +252,33 @@ CellAnswer step_in(UnitCell &cell,
   return answer;
 }
 
+CellAnswer step_of_lasting_sizes(UnitCell &cell,
+                                 const Stretch &stretch,
+                                 const QuasiStatic &settings,
+                                 const Arithmetic &arithmetic,
+                                 WarmGuess *guess)
+{
+  return arithmetic.precision == Precision::mixed
+             ? step_in<float>(cell, stretch, settings, arithmetic, guess)
+             : step_in<double>(cell, stretch, settings, arithmetic, guess);
+}
+
+/// One increment. Grains that grow do so first.
 CellAnswer step(UnitCell &cell,
                 const Stretch &stretch,
                 const QuasiStatic &settings,
                 const Arithmetic &arithmetic,
                 WarmGuess *guess)
 {
+  if (!grains_grow(cell))
+    return step_of_lasting_sizes(cell, stretch, settings, arithmetic, guess);
+  const double loss = cell.energy.plastic_dissipation - unstored_work(cell);
   grow(cell);
-  return arithmetic.precision == Precision::mixed
-             ? step_in<float>(cell, stretch, settings, arithmetic, guess)
-             : step_in<double>(cell, stretch, settings, arithmetic, guess);
+  const CellAnswer answer =
+      step_of_lasting_sizes(cell, stretch, settings, arithmetic, guess);
+  if (answer.outcome != Outcome::diverged)
+    cell.energy.plastic_dissipation = loss + unstored_work(cell);
+  return answer;
 }
 } // namespace
 

@@ -26,8 +26,9 @@ struct LastMotion {
 
 /// Work and heat since the cell was made [J].
 struct EnergyAccount {
-  double work = 0;                 ///< done by the stress on the cell
-  double plastic_dissipation = 0;  ///< in the normal laws
+  double work = 0; ///< done by the stress on the cell
+  /// In the normal laws; where grains grow all else that is not stored.
+  double plastic_dissipation = 0;
   double friction_dissipation = 0; ///< by sliding
   double damping_dissipation = 0;  ///< globally and in contacts; dynamics only
   bool operator==(const EnergyAccount &) const = default;
