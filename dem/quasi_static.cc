@@ -194,7 +194,9 @@ void Increment<T>::adopt(CellAnswer &answer)
   const Matrix3 old_stress = love_weber_stress(cell_);
   const double old_volume = cell_.box.volume();
   layout_.read_memories(cell_); // without pairs that have parted for good
-  const double old_loss = plastic_loss(cell_);
+  // Where grains grow the loss is what the work leaves, see step().
+  const bool grow = grains_grow(cell_);
+  const double old_loss = grow ? 0 : plastic_loss(cell_);
   const SweepTotals totals = layout_.sweep(affine_, {Memory::written});
   cell_.box = box_;
   for (std::size_t i = 0; i < place_.size(); ++i)
@@ -207,7 +209,8 @@ void Increment<T>::adopt(CellAnswer &answer)
       0.25 * (old_volume + cell_.box.volume()) *
       ((old_stress + answer.stress).array() * log_stretch_.array()).sum();
   cell_.energy.friction_dissipation += totals.lost_work;
-  cell_.energy.plastic_dissipation += plastic_loss(cell_) - old_loss;
+  if (!grow)
+    cell_.energy.plastic_dissipation += plastic_loss(cell_) - old_loss;
 }
 
 /// One increment with or without a guess.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <coupling/packing_adoption.h>
 #include <coupling/packing_file.h>
 #include <dem/deform.h>
 #include <dem/measures.h>

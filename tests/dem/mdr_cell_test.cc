@@ -1,128 +1,411 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <dem/laws/mdr.h>
+#include <dem/cell_laws.h>
 #include <dem/measures.h>
-#include <array>
-#include <vector>
+#include <dem/remarks.h>
 #include <dem/stretch.h>
+#include <dem/unit_cell_bytes.h>
 #include <tests/dem/sample_cells.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <gtest/gtest.h>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
 
+// Cells whose grains grow and respond in bulk: the law mdr beyond one pair.
 namespace tamp::dem
 {
-TEST(Explore, Curve)
+namespace
 {
-  const char *law = std::getenv("LAW");
+using test::message_of;
+
+/// 100 granules, 150-250 um, E / Y = 100, mu .3, packed at 0.2 MPa.
+PackingRequest request_for(NormalLaw law)
+{
   PackingRequest request;
   request.grain_count = 100;
-  request.material = {std::atof(std::getenv("EY")) * 50e6, 0.3, 1500, 2.75 * 50e6};
   request.sizes.minimum_diameter = 150e-6;
   request.sizes.maximum_diameter = 250e-6;
-  request.contact.normal_law =
-      law && law[0] == 't' ? NormalLaw::thornton_ning : NormalLaw::mdr;
-  if (std::getenv("ONSET"))
-    request.contact.bulk_onset = std::atof(std::getenv("ONSET"));
-  if (std::getenv("MU"))
-    request.contact.friction_coefficient = std::atof(std::getenv("MU"));
+  request.material = {5e9, 0.3, 1500, 2.75 * 50e6};
+  request.contact.normal_law = law;
+  request.contact.bulk_onset = 0.3;
   request.goal.pressure = 0.2e6;
-  UnitCell cell = make_packing(request);
-  const double part = std::atof(std::getenv("PART"));
-  Driving driving;
-  if (std::getenv("MIXED"))
-    driving.arithmetic.precision = Precision::mixed;
-  driving.quasi_static.maximum_strain_increment = 1;
-  double last_p = 0, last_d = 1;
-  std::size_t evaluations = 0;
-  int k = 0, unsettled = 0;
-  double top = std::atof(std::getenv("TOP")), last_pl = 0, least = 0;
-  Matrix3 s0 = Matrix3::Zero();
-  while (cell.relative_density() < top) {
-    const CellAnswer a =
-        deform(cell, std::exp(-part) * Matrix3::Identity(), driving);
-    evaluations += a.evaluations;
-    least = std::min(least, cell.energy.plastic_dissipation - last_pl);
-    last_pl = cell.energy.plastic_dissipation;
-    unsettled += a.outcome != Outcome::settled;
-    const double p = -a.stress.trace() / 3, D = cell.relative_density();
-    if (++k % int(std::round(0.01 / part)) == 0) {
-      const CellMeasures mm = measure(cell);
-      double growth = 0;
-      for (std::size_t i = 0; i < cell.size(); ++i)
-        growth += cell.radius[i] / cell.initial_radius_of(i) - 1;
-      const EnergyAccount &e = cell.energy;
-      std::printf("%.4f p %.5g MPa K/kappa %.3f Z %.2f R/Ro-1 %.4f evals %zu "
-                  "uns %d work %.4g el %.4g pl %.4g fr %.4g gap %.3f hm %.1e\n",
-                  D, p / 1e6,
-                  (p - last_p) / std::log(D / last_d) / (std::atof(std::getenv("EY")) * 50e6 / 1.2),
-                  mm.coordination_number, growth / cell.size(), evaluations,
-                  unsettled, e.work, mm.elastic_energy, e.plastic_dissipation,
-                  e.friction_dissipation,
-                  (e.work - mm.elastic_energy - e.plastic_dissipation -
-                   e.friction_dissipation) / e.work, a.hill_mandel);
-      const Mdr law(std::atof(std::getenv("EY")) * 50e6, 0.3, 50e6);
-      std::vector<double> Ah(cell.size(), 0.0), A(cell.size(), 0.0),
-          B(cell.size(), 0.0), H(cell.size(), 0.0);
-      const std::size_t all = cell.more_memory.size() / cell.contacts.size();
-      for (std::size_t c = 0; c < cell.contacts.size(); ++c) {
-        const auto [i, j] = cell.contacts[c].pair;
-        const double d =
-            cell.box.nearest_image(cell.place[j] - cell.place[i]).norm();
-        const auto shape = cell.shape(cell.contacts[c].pair);
-        std::array<double, Mdr::more> own;
-        std::copy_n(cell.more_memory.data() + c * all, Mdr::more, own.begin());
-        const double open = 1 - own[Mdr::more - 1];
-        const auto sides =
-            law.sides(shape.radius_sum - d, shape,
-                      {cell.contacts[c].largest_overlap, 0, own.data()});
-        if (shape.radius_sum < d)
-          continue;
-        for (int k : {0, 1}) {
-          const std::uint32_t g = k ? j : i;
-          const double h = cell.radius[g] - sides[k].overlap;
-          A[g] += open * sides[k].area;
-          Ah[g] += open * sides[k].area * h;
-          B[g] += open * sides[k].area * sides[k].bulk_overlap;
-          H[g] += open * sides[k].area * sides[k].overlap;
-        }
-      }
-      double s2 = 0, m = 0, cover = 0;
-      for (std::size_t g = 0; g < cell.size(); ++g) {
-        const double V = 4. / 3 * M_PI * std::pow(cell.initial_radius_of(g), 3);
-        const double part = Ah[g] * Ah[g] / (9 * V * cell.box.volume());
-        cover += Ah[g] / 3 / cell.box.volume();
-        s2 += part;
-        m += part * (1 + 2 * B[g] / H[g]);
-      }
-      std::printf("   s2 %.3f with areas %.3f cover %.3f\n", s2, m, cover);
-      last_p = p;
-      last_d = D;
-      evaluations = 0;
-      unsettled = 0;
-    }
-    if (a.outcome == Outcome::diverged)
-      break;
+  return request;
+}
+
+const UnitCell &mdr_cell()
+{
+  static const UnitCell cell = make_packing(request_for(NormalLaw::mdr));
+  return cell;
+}
+
+constexpr double kappa = 5e9 / (3 * (1 - 2 * 0.3)); // of the solid [Pa]
+constexpr double part = 2e-3; // strain of an edge in an increment
+
+/// Presses or relieves a cell isotropically by equal increments; the pressure.
+double take_to(UnitCell &cell, double density, const Driving &driving = {})
+{
+  const double strain = std::log(density / cell.relative_density()) / 3;
+  const int parts = int(std::ceil(std::abs(strain) / part - 1e-9));
+  double pressure = 0;
+  for (int k = 0; k < parts; ++k) {
+    const CellAnswer answer =
+        deform(cell, std::exp(-strain / parts) * Matrix3::Identity(), driving);
+    EXPECT_NE(answer.outcome, Outcome::diverged);
+    pressure = -answer.stress.trace() / 3;
   }
-  std::printf("least pl %.3g\n", least);
-  double low = std::atof(std::getenv("LOW"));
-  for (int cycle = 0; cycle < 3; ++cycle) {
-    for (int way : {1, -1}) {
-      double w = 0, g = 0;
-      while (way > 0 ? cell.relative_density() > low
-                     : cell.relative_density() < top) {
-        const double work = cell.energy.work;
-        const CellAnswer a = deform(
-            cell, std::exp(way * part) * Matrix3::Identity(), driving);
-        w += cell.energy.work - work;
-        g += a.outcome != Outcome::settled;
-      }
-      std::printf("cycle %d way %d D %.4f p %.5g work %.5g uns %g pl %.5g el %.4g pl+fr-work+el-0 \n",
-                  cycle, way, cell.relative_density(),
-                  -love_weber_stress(cell).trace() / 3e6, w, g,
-                  cell.energy.plastic_dissipation, elastic_energy(cell));
+  return pressure;
+}
+
+/// The cell pressed to a relative density of 0.9, where most grains have grown.
+const UnitCell &grown_cell()
+{
+  static const UnitCell cell = [] {
+    UnitCell result = mdr_cell();
+    take_to(result, 0.9);
+    return result;
+  }();
+  return cell;
+}
+
+/// A side of a contact: a grain and the flat that presses it.
+struct Flat {
+  std::size_t grain;
+  double open, distance, force; ///< 1 less the obstruction; [m], [N]
+  MdrSide<double> side;
+  MdrMemory<double> memory;
+};
+
+/// All flats whose contacts overlap.
+std::vector<Flat> flats_of(const UnitCell &cell)
+{
+  const CellLaws laws(cell);
+  const Mdr &law = std::get<Mdr>(laws.of_kind(0).normal);
+  std::vector<Flat> flats;
+  for (std::size_t c = 0; c < cell.contacts.size(); ++c) {
+    const ContactMemory &contact = cell.contacts[c];
+    const auto [i, j] = contact.pair;
+    const auto shape = cell.shape(contact.pair);
+    const double overlap =
+        shape.radius_sum -
+        cell.box.nearest_image(cell.place[j] - cell.place[i]).norm();
+    if (overlap <= 0)
+      continue;
+    std::array<double, Mdr::more> more;
+    std::copy_n(cell.more_memory.data() + c * laws.more(), Mdr::more, &more[0]);
+    NormalMemory<double> memory = {contact.largest_overlap, 0, more.data()};
+    const auto sides = law.sides(overlap, shape, memory);
+    const double force = law(overlap, shape, memory).force;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const std::size_t grain = k == 0 ? i : j;
+      flats.push_back(
+          {grain,
+           1 - more[Mdr::more - 1],
+           cell.radius[grain] - sides[k].overlap,
+           force,
+           sides[k],
+           MdrMemory<double>::read(&more[k * MdrMemory<double>::size])});
     }
+  }
+  return flats;
+}
+
+double ball(double radius)
+{
+  return 4.0 / 3 * std::numbers::pi * radius * radius * radius;
+}
+
+/// d p / d ln D over kappa, as the bulk response has it: all flats of a grain
+/// of volume V move by h de, de = d ln D / 3, at distances h; each then pushes
+/// with kappa sum(A) / V A more for this, and the pressure is sum(N h) / (3
+/// V_cell). As d A / A = d h / delta the areas add twice delta_B / delta, and
+/// shorter branches in a smaller volume 2/3 p.
+double expected_slope(const UnitCell &cell, double pressure)
+{
+  std::vector<double> moment(cell.size()), in_bulk(cell.size()),
+      overlap(cell.size());
+  for (const Flat &flat : flats_of(cell)) {
+    const double area = flat.open * flat.side.area;
+    moment[flat.grain] += area * flat.distance;
+    in_bulk[flat.grain] += area * flat.side.bulk_overlap;
+    overlap[flat.grain] += area * flat.side.overlap;
+  }
+  double slope = 2.0 / 3 * pressure / kappa;
+  for (std::size_t g = 0; g < cell.size(); ++g)
+    if (overlap[g] > 0)
+      slope += moment[g] * moment[g] /
+               (9 * ball(cell.initial_radius_of(g)) * cell.box.volume()) *
+               (1 + 2 * in_bulk[g] / overlap[g]);
+  return slope;
+}
+
+TEST(MdrCell, LocksUpWherePairLawsDoNot)
+{
+  UnitCell grown = mdr_cell();
+  UnitCell plain = make_packing(request_for(NormalLaw::thornton_ning));
+  // Up to the onset the two laws are of one kind.
+  const double early = take_to(grown, 0.75) / take_to(plain, 0.75);
+  EXPECT_GT(early, 0.5);
+  EXPECT_LT(early, 2);
+  const double late = take_to(grown, 1.0) / take_to(plain, 1.0);
+  EXPECT_GT(late, 3 * early);
+}
+
+TEST(MdrCell, BulkModulusFollowsTheAreasOfContactTowardsThatOfTheSolid)
+{
+  // Contacts are not at the onset all at once, and move by other ways than the
+  // box does.
+  constexpr double tolerance = 0.1;
+  UnitCell cell = mdr_cell();
+  double before = take_to(cell, 0.96), last = 0;
+  for (double next : {0.98, 1.0, 1.02}) {
+    const double density = cell.relative_density();
+    const double first = expected_slope(cell, before);
+    const double pressure = take_to(cell, next);
+    const double slope = (pressure - before) / std::log(next / density) / kappa;
+    const double expected = 0.5 * (first + expected_slope(cell, pressure));
+    EXPECT_NEAR(slope / expected, 1, tolerance) << next;
+    EXPECT_GT(slope, last);
+    EXPECT_LT(slope, 1); // that of contacts without gaps between them
+    last = slope;
+    before = pressure;
+  }
+  EXPECT_GT(last, 0.5);
+}
+
+TEST(MdrCell, GrowthTakesUpTheVolumeThatContactsDisplace)
+{
+  // Caps from before yield and of contacts that are being relieved, and the
+  // displaced volume of the last increment, are not in the radii.
+  constexpr double tolerance = 0.05;
+  UnitCell cell = mdr_cell();
+  cell.contact.bulk_onset = 0; // beyond it there is nowhere to grow to
+  take_to(cell, 0.88);
+  double displaced = 0, elastic = 0, grown = 0;
+  for (const Flat &flat : flats_of(cell)) {
+    const double R = cell.radius[flat.grain], height = R - flat.distance;
+    displaced += flat.open * std::numbers::pi / 3 * height * height *
+                 (2 * R + flat.distance);
+    elastic += flat.force * flat.distance / (3 * kappa);
+  }
+  for (std::size_t g = 0; g < cell.size(); ++g)
+    grown += ball(cell.radius[g]) - ball(cell.initial_radius_of(g));
+  EXPECT_GT(displaced, 0.05 * cell.solid_volume());
+  EXPECT_NEAR((grown + elastic) / displaced, 1, tolerance);
+}
+
+TEST(MdrCell, HasNoBulkPartAboveTheOnset)
+{
+  UnitCell with = mdr_cell(), without = mdr_cell();
+  without.contact.bulk_onset = 0;
+  EXPECT_EQ(take_to(with, 0.75), take_to(without, 0.75));
+  for (const Flat &flat : flats_of(with)) {
+    EXPECT_EQ(flat.memory.bulk_stiffness, 0);
+    EXPECT_EQ(flat.side.bulk_overlap, 0);
+  }
+  const UnitCell early = without;
+  without.contact = with.contact;
+  EXPECT_EQ(with, without);
+  without = early;
+  EXPECT_GT(take_to(with, 0.95), 1.2 * take_to(without, 0.95));
+}
+
+TEST(MdrCell, SmallElasticStrainsAreThoseOfHertz)
+{
+  // MDR departs from Hertz by a term of the order of the overlap over R, here
+  // 1e-3; the packings are two, each at rest within the usual unbalance.
+  constexpr double tolerance = 0.01;
+  PackingRequest request = request_for(NormalLaw::hertz);
+  request.material.limiting_pressure = 2e9; // never reached
+  request.goal.pressure = 1e6;
+  UnitCell hertz = make_packing(request), grown = hertz;
+  grown.contact.normal_law = NormalLaw::mdr;
+  grown.contacts.clear();
+  grown.more_memory.clear();
+  hertz.contacts.clear();
+  deform(grown, Matrix3::Identity(), {});
+  deform(hertz, Matrix3::Identity(), {});
+  const Stretch stretch = test::uniaxial(-2e-3);
+  const CellAnswer one = deform(grown, stretch, {});
+  const CellAnswer two = deform(hertz, stretch, {});
+  EXPECT_LT((one.stress - two.stress).norm(), tolerance * two.stress.norm());
+  EXPECT_TRUE(grown.initial_radius.empty()); // none yields, none grows
+}
+
+TEST(MdrCell, CyclesGainNoEnergy)
+{
+  UnitCell cell = mdr_cell();
+  const double low = 0.94, high = 0.98;
+  take_to(cell, high);
+  take_to(cell, low); // the first relief lets the contacts settle
+  take_to(cell, high);
+  const auto lost = [&] {
+    return cell.energy.plastic_dissipation + cell.energy.friction_dissipation;
+  };
+  for (int cycle = 0; cycle < 2; ++cycle) {
+    const double work = cell.energy.work, heat = lost();
+    take_to(cell, low);
+    const double back = work - cell.energy.work;
+    take_to(cell, high);
+    EXPECT_GT(back, 0);
+    EXPECT_GE(cell.energy.work, work);
+    EXPECT_LT(cell.energy.work - work, 0.1 * back); // nearly elastic, too
+    EXPECT_GE(lost(), heat);
   }
 }
+
+TEST(MdrCell, FullReliefKeepsTheGrainsGrownAndGivesLessBack)
+{
+  UnitCell cell = grown_cell();
+  const std::vector<double> radius = cell.radius;
+  const double work = cell.energy.work;
+  EXPECT_EQ(take_to(cell, 0.8), 0);
+  EXPECT_LT(work - cell.energy.work, 0.3 * work);
+  EXPECT_GT(work - cell.energy.work, 0);
+  for (std::size_t g = 0; g < cell.size(); ++g)
+    EXPECT_GE(cell.radius[g], radius[g]);
+}
+
+TEST(MdrCell, HeatOfPlasticFlowNeverFallsInLoading)
+{
+  UnitCell cell = mdr_cell();
+  double last = 0;
+  while (cell.relative_density() < 1) {
+    deform(cell, std::exp(-part) * Matrix3::Identity(), {});
+    // Of the work so far; trapezoids, and what is left of forces.
+    EXPECT_GE(cell.energy.plastic_dissipation, last - 1e-4 * cell.energy.work);
+    last = cell.energy.plastic_dissipation;
+  }
+  EXPECT_GT(last, 0.3 * cell.energy.work);
+}
+
+TEST(MdrCell, MassAndDensityAreThoseOfTheInitialSizes)
+{
+  const UnitCell &cell = grown_cell();
+  ASSERT_EQ(cell.initial_radius.size(), cell.size());
+  for (std::size_t g = 0; g < cell.size(); ++g)
+    EXPECT_EQ(cell.initial_radius[g], mdr_cell().initial_radius_of(g));
+  EXPECT_EQ(cell.solid_volume(), mdr_cell().solid_volume());
+  EXPECT_EQ(cell.mass(3), mdr_cell().mass(3));
+  EXPECT_NEAR(cell.relative_density(), 0.9, 1e-12);
+  double growth = 0;
+  for (std::size_t g = 0; g < cell.size(); ++g)
+    growth += cell.radius[g] / cell.initial_radius[g] - 1;
+  EXPECT_GT(growth / double(cell.size()), 0.01);
+}
+
+TEST(MdrCell, TrialsLeaveNoTrace)
+{
+  const UnitCell committed = grown_cell();
+  UnitCell trial = committed;
+  WarmGuess guess;
+  const Stretch stretch = 0.998 * Matrix3::Identity();
+  const CellAnswer one = deform(trial, stretch, {}, &guess);
+  EXPECT_EQ(committed, grown_cell());
+  UnitCell again = committed;
+  const CellAnswer two = deform(again, stretch, {});
+  EXPECT_EQ(one.stress, two.stress);
+  EXPECT_EQ(trial, again);
+  EXPECT_NE(trial.radius, committed.radius);
+  UnitCell warm = committed; // radii do not grow from trial to trial
+  deform(warm, stretch, {}, &guess);
+  EXPECT_EQ(warm.radius, trial.radius);
+}
+
+TEST(MdrCell, BytesReplayToTheLastBit)
+{
+  UnitCell cell = grown_cell();
+  std::vector<char> bytes;
+  to_bytes(cell, bytes);
+  UnitCell again = from_bytes(bytes);
+  EXPECT_EQ(again, cell);
+  EXPECT_EQ(take_to(again, 0.94), take_to(cell, 0.94));
+  EXPECT_EQ(again, cell);
+}
+
+TEST(MdrCell, BytesWithWrongInitialSizesAreRefused)
+{
+  const auto refused = [](auto &&change) {
+    UnitCell cell = grown_cell();
+    change(cell.initial_radius);
+    std::vector<char> bytes;
+    to_bytes(cell, bytes);
+    EXPECT_THROW((void)from_bytes(bytes), std::runtime_error);
+  };
+  refused([](std::vector<double> &radius) { radius.pop_back(); });
+  refused([](std::vector<double> &radius) { radius[7] = 0; });
+}
+
+TEST(MdrCell, NoPairIsMissedWhereGrainsGrow)
+{
+  UnitCell cell = mdr_cell();
+  for (double density : {0.85, 0.9, 0.95}) {
+    take_to(cell, density);
+    deform(cell, Matrix3::Identity(), {});
+    std::vector<Pair> touching, listed;
+    for (std::uint32_t i = 0; i < cell.size(); ++i)
+      for (std::uint32_t j = i + 1; j < cell.size(); ++j)
+        if (cell.box.nearest_image(cell.place[j] - cell.place[i]).norm() <
+            cell.radius[i] + cell.radius[j])
+          touching.push_back({i, j});
+    for (const ContactForce &contact : contact_forces(cell))
+      listed.push_back(contact.pair);
+    EXPECT_EQ(listed, touching);
+  }
+}
+
+TEST(MdrCell, SinglePrecisionIsEnough)
+{
+  // Half a per cent of the pressure, as for other laws after as long a way.
+  constexpr double tolerance = 5e-3;
+  Driving mixed;
+  mixed.arithmetic.precision = Precision::mixed;
+  UnitCell one = grown_cell(), two = grown_cell();
+  EXPECT_NEAR(take_to(one, 0.96) / take_to(two, 0.96, mixed), 1, tolerance);
+}
+
+TEST(MdrCell, DynamicsAgreesWithTheMap)
+{
+  // Grains grow at other times, and what is left of the rate.
+  constexpr double tolerance = 0.03;
+  Driving slow;
+  slow.method = Method::dynamics;
+  slow.dynamics.strain_rate = 1e-4;
+  UnitCell one = grown_cell(), two = grown_cell();
+  const double reference = take_to(two, 0.94, slow);
+  EXPECT_NEAR(take_to(one, 0.94) / reference, 1, tolerance);
+  EXPECT_NEAR(
+      measure(one).coordination_number, measure(two).coordination_number, 0.1);
+  const EnergyAccount &energy = two.energy;
+  EXPECT_GT(energy.plastic_dissipation, 0.3 * energy.work);
+  EXPECT_LT(energy.plastic_dissipation + measure(two).elastic_energy,
+            1.001 * energy.work);
+}
+
+TEST(MdrCell, MixturesAreRefusedWithTheReason)
+{
+  PackingRequest request = request_for(NormalLaw::mdr);
+  EXPECT_EQ(message_of<std::invalid_argument>([&] { request.check(); }), "");
+  request.others = {{0.5, request.sizes, request.material}};
+  EXPECT_NE(message_of<std::invalid_argument>([&] { request.check(); })
+                .find("normal law mdr: its contacts are of two grains of one "
+                      "material"),
+            std::string::npos);
+  request.others.clear();
+  request.contact.bulk_onset = 1;
+  EXPECT_NE(message_of<std::invalid_argument>([&] {
+              request.check();
+            }).find("bulk onset = 1"),
+            std::string::npos);
+}
+
+TEST(MdrCell, HighDensityIsNoRemark)
+{
+  const UnitCell &cell = grown_cell();
+  for (const Remark &remark : judge(cell, {}, love_weber_stress(cell)))
+    EXPECT_NE(remark.kind, Remark::Kind::beyond_pair_laws);
+}
+} // namespace
 } // namespace tamp::dem
