@@ -13,7 +13,7 @@ namespace tamp::coupling
 namespace
 {
 /// The same box, and grains at rest in it.
-void settle(UnitCell &cell)
+void settle(dem::UnitCell &cell)
 {
   constexpr int most_rests = 20;
   dem::Driving driving;
@@ -33,7 +33,7 @@ void settle(UnitCell &cell)
 }
 } // namespace
 
-History adopt_packing(UnitCell &cell,
+History adopt_packing(dem::UnitCell &cell,
                       const std::vector<dem::GrainMaterial> &materials,
                       const dem::ContactModel &contact)
 {
