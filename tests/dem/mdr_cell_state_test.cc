@@ -121,6 +121,47 @@ TEST(MdrCell, SinglePrecisionIsEnough)
   EXPECT_NEAR(take_to(one, 0.96) / take_to(two, 0.96, mixed), 1, tolerance);
 }
 
+TEST(MdrCell, GrowsUnderEveryTangentialAndRollingLaw)
+{
+  // Whose numbers stand behind those of the normal law in the memory.
+  UnitCell plain = mdr_cell();
+  const double pressure = take_to(plain, 0.85);
+  for (TangentialLaw tangential :
+       {TangentialLaw::none, TangentialLaw::mindlin_deresiewicz})
+    for (RollingLaw rolling : {RollingLaw::none, RollingLaw::epsd}) {
+      UnitCell cell = mdr_cell();
+      cell.contact.tangential_law = tangential;
+      cell.contact.rolling_law = rolling;
+      cell.contacts.clear();
+      cell.more_memory.clear();
+      const bool smooth = tangential == TangentialLaw::none;
+      const double ratio = take_to(cell, 0.85) / pressure;
+      EXPECT_GT(ratio, smooth ? 0.5 : 0.9);
+      EXPECT_LT(ratio, smooth ? 1.0 : 1.1);
+      double growth = 0, expected = 0;
+      for (std::size_t g = 0; g < cell.size(); ++g) {
+        growth += cell.radius[g] - cell.initial_radius_of(g);
+        expected += plain.radius[g] - plain.initial_radius_of(g);
+      }
+      EXPECT_NEAR(growth / expected, 1, 0.15); // another packing, a little
+    }
+}
+
+TEST(MdrCell, EveryInstructionSetGivesTheSame)
+{
+  constexpr double tolerance = 1e-9; // rounding, through a relaxation
+  Driving driving;
+  driving.arithmetic.instruction_set = InstructionSet::scalar;
+  UnitCell scalar = grown_cell();
+  const double pressure = take_to(scalar, 0.91, driving);
+  for (InstructionSet set : instruction_sets()) {
+    driving.arithmetic.instruction_set = set;
+    UnitCell cell = grown_cell();
+    EXPECT_NEAR(take_to(cell, 0.91, driving) / pressure, 1, tolerance);
+    EXPECT_NEAR(cell.radius[0] / scalar.radius[0], 1, tolerance);
+  }
+}
+
 TEST(MdrCell, MixturesAreRefusedWithTheReason)
 {
   PackingRequest request = request_for(NormalLaw::mdr);
