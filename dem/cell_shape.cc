@@ -17,9 +17,8 @@ namespace
 constexpr double loosest_jammed = 0.55, usually_jammed = 0.6;
 // Widest skin of a neighbour list, of the mean radius.
 constexpr double skin = 0.3;
-// Growth of the largest grains to full density by the law mdr: 0.03 to 0.1 with
-// E / Y from 20 to 700.
-constexpr double largest_growth = 1.1;
+// Growth of single grains to full density by the law mdr, at most.
+constexpr double largest_growth = 1.15;
 
 /// What matters of the grains.
 struct Solid {
