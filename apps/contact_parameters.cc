@@ -239,6 +239,14 @@ void declare_contact(ParameterTable &table)
       {0, 1, true, false},
       "Of an elastic impact, by viscous damping in the contact; 1: none. "
       "Felt by dynamics and impacts only");
+  table.quantity(
+      "Bulk onset",
+      "0.5",
+      dimension::number,
+      {0, 1, false, true},
+      "psi_b: share of the surface of a grain that is still free when "
+      "its contacts begin to press on each other; law mdr only, in "
+      "cells. To be fitted; 0: never");
   table.leave();
 }
 
@@ -255,6 +263,7 @@ void read_contact(const ParameterTable &table, dem::ContactModel &contact)
       table.number("Contact/Rolling friction coefficient");
   contact.restitution_coefficient =
       table.number("Contact/Restitution coefficient");
+  contact.bulk_onset = table.number("Contact/Bulk onset");
   contact.friction_coefficient = table.number("Contact/Friction coefficient");
 }
 

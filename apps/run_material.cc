@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <apps/run_material.h>
+#include <coupling/whole_file.h>
 
 #include <fmt/format.h>
 #include <stdexcept>
@@ -83,7 +84,9 @@ coupling::Material prepare_material(RunSession &session, std::size_t count)
 
 void warn_beyond_pair_laws(RunSession &session, double mean_relative_density)
 {
-  if (mean_relative_density > densest_of_pairs)
+  const dem::ContactModel &model = session.input().material.packing.contact;
+  if (mean_relative_density > densest_of_pairs &&
+      model.normal_law != dem::NormalLaw::mdr)
     session.warn(fmt::format("contact laws of pairs lose accuracy above a "
                              "relative density of about {}",
                              densest_of_pairs));

@@ -28,7 +28,7 @@ std::string packing_title(const coupling::MaterialChoice &choice,
 void warn_of_history(RunSession &session, coupling::History history);
 
 /// Warns, once a run, if cells are denser than where forces may be computed
-/// contact by contact.
+/// contact by contact, and are.
 void warn_beyond_pair_laws(RunSession &session, double mean_relative_density);
 
 /// Warns of a work of adhesion and a normal law that do not fit together.

@@ -304,6 +304,11 @@ bool Hdf5Reader::foreign(std::span<const char> bytes)
          std::equal(signature.begin(), signature.end(), bytes.begin());
 }
 
+bool Hdf5Reader::has(const std::string &name) const
+{
+  return H5Lexists(implementation_->file, name.c_str(), H5P_DEFAULT) > 0;
+}
+
 std::vector<double> Hdf5Reader::numbers(const std::string &name,
                                         std::size_t columns)
 {

@@ -51,6 +51,8 @@ public:
                          const std::string &format);
   /// Whether it is an HDF5 file that another program made.
   static bool foreign(std::span<const char> bytes);
+  /// Whether there is a dataset of this name in a folder that there is.
+  bool has(const std::string &name) const;
   std::vector<double> numbers(const std::string &name, std::size_t columns = 1);
   std::vector<std::uint32_t> integers(const std::string &name,
                                       std::size_t columns = 1);

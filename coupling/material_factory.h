@@ -2,7 +2,7 @@
 #ifndef coupling_material_factory_h
 #define coupling_material_factory_h
 
-#include <coupling/packing_file.h>
+#include <coupling/packing_adoption.h>
 #include <dem/deform.h>
 #include <dem/packing.h>
 #include <fem/material_points.h>

@@ -2,7 +2,6 @@
 #include <coupling/hdf5_image.h>
 #include <coupling/packing_file.h>
 #include <coupling/packing_text.h>
-#include <dem/deform.h>
 #include <dem/unit_cell_bytes.h>
 
 #include <algorithm>
@@ -68,6 +67,16 @@ public:
   {
     out_.numbers(name, unit, values);
   }
+  void later_number(const char *name, const char *unit, const double &value)
+  {
+    number(name, unit, value);
+  }
+  void later_numbers(const char *name,
+                     const char *unit,
+                     const std::vector<double> &values)
+  {
+    numbers(name, unit, values);
+  }
   void vectors(const char *name,
                const char *unit,
                const std::vector<Vector3> &values)
@@ -123,6 +132,18 @@ public:
   {
     const auto rows = sized(in_.numbers(name, 3), 9, name);
     value = Eigen::Map<const dem::Matrix3>(rows.data()).transpose();
+  }
+  /// Files of earlier versions are without; then the value stays.
+  void later_number(const char *name, const char *unit, double &value)
+  {
+    if (in_.has(name))
+      number(name, unit, value);
+  }
+  void
+  later_numbers(const char *name, const char *unit, std::vector<double> &values)
+  {
+    if (in_.has(name))
+      numbers(name, unit, values);
   }
   void numbers(const char *name, const char *, std::vector<double> &values)
   {
@@ -245,9 +266,11 @@ void visit_parts(File &file, Cell &cell, Columns &contacts)
   file.number("/contact_model/restitution_coefficient",
               "-",
               law.restitution_coefficient);
+  file.later_number("/contact_model/bulk_onset", "-", law.bulk_onset);
   file.matrix("/box", "m", cell.box.h);
   file.number("/reference_volume", "m3", cell.reference_volume);
   file.numbers("/grains/radius", "m", cell.radius);
+  file.later_numbers("/grains/initial_radius", "m", cell.initial_radius);
   file.species("/grains/species", cell.species);
   file.vectors("/grains/place", "-", cell.place);
   file.vectors("/grains/velocity", "m/s", cell.velocity);
@@ -334,63 +357,5 @@ UnitCell read_packing(const std::filesystem::path &file)
     throw std::invalid_argument(
         file.string() + ": no packing can be read from it: " + error.what());
   }
-}
-
-namespace
-{
-/// The same box, and grains at rest in it.
-void settle(UnitCell &cell)
-{
-  constexpr int most_rests = 20;
-  dem::Driving driving;
-  // Forces of grains that barely touch: a billionth of E d^2.
-  const double diameter = 2 * cell.mean_radius();
-  driving.quasi_static.force_floor =
-      1e-9 * cell.materials[0].youngs_modulus * diameter * diameter;
-  for (int k = 0; k < most_rests; ++k)
-    if (const auto answer = deform(cell, dem::Stretch::Identity(), driving);
-        answer.outcome == dem::Outcome::settled)
-      return;
-    else if (answer.outcome == dem::Outcome::diverged)
-      break;
-  throw std::runtime_error(
-      "the stored packing does not come to rest under the contact model of "
-      "this run");
-}
-} // namespace
-
-History adopt_packing(UnitCell &cell,
-                      const std::vector<dem::GrainMaterial> &materials,
-                      const dem::ContactModel &contact)
-{
-  for (const std::uint8_t species : cell.species)
-    if (species >= materials.size())
-      throw std::invalid_argument("the stored packing has grains of " +
-                                  std::to_string(cell.materials.size()) +
-                                  " materials, this run has " +
-                                  std::to_string(materials.size()));
-  dem::ContactModel same_laws = cell.contact;
-  same_laws.friction_coefficient = contact.friction_coefficient;
-  History history = History::kept;
-  if (cell.materials != materials || same_laws != contact ||
-      cell.contacts.empty())
-    history = History::forgotten;
-  else if (cell.contact != contact)
-    history = History::slipped;
-  cell.materials = materials;
-  cell.contact = contact;
-  if (history == History::forgotten) {
-    cell.contacts.clear();
-    cell.more_memory.clear();
-  }
-  cell.velocity.clear();
-  cell.spin.clear();
-  cell.last = {};
-  if (history != History::kept)
-    settle(cell);
-  cell.reference_volume = cell.box.volume();
-  cell.last = {};
-  cell.energy = {};
-  return history;
 }
 } // namespace tamp::coupling

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <coupling/packing_file.h>
 #include <coupling/packing_library.h>
 #include <coupling/work_sharing.h>
 #include <dem/random_numbers.h>

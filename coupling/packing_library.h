@@ -2,7 +2,7 @@
 #ifndef coupling_packing_library_h
 #define coupling_packing_library_h
 
-#include <coupling/packing_file.h>
+#include <coupling/packing_adoption.h>
 #include <dem/packing.h>
 #include <dem/unit_cell.h>
 

@@ -192,7 +192,7 @@ std::string packing_to_text(const UnitCell &cell)
     const Vector3 x = h * (s - Vector3(s.array().floor()));
     for (int k = 0; k < 3; ++k)
       append(text, x[k]), text += ' ';
-    append(text, cell.radius[i]);
+    append(text, cell.initial_radius_of(i));
     text += '\n';
   }
   return text;

@@ -17,6 +17,8 @@ namespace
 constexpr double loosest_jammed = 0.55, usually_jammed = 0.6;
 // Widest skin of a neighbour list, of the mean radius.
 constexpr double skin = 0.3;
+// Growth of single grains to full density by the law mdr, at most.
+constexpr double largest_growth = 1.15;
 
 /// What matters of the grains.
 struct Solid {
@@ -33,8 +35,10 @@ Solid solid_of(const PackingRequest &request)
     sum += r;
   }
   const double mean = sum / double(grains.size());
+  const double growth =
+      request.contact.normal_law == NormalLaw::mdr ? largest_growth : 1;
   return {4 * std::numbers::pi / 3 * cubes,
-          2 * (2 * grains.front().radius + skin * mean)};
+          2 * growth * (2 * grains.front().radius + skin * mean)};
 }
 
 /// Density at which the box still has the shape of the loose start, as far as

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <dem/dynamics.h>
-#include <dem/motion.h>
+#include <dem/growing_motion.h>
 #include <dem/stretch.h>
 #include <dem/unit_cell.h>
 
@@ -26,7 +26,7 @@ CellAnswer deform_by_dynamics(UnitCell &cell,
   const Matrix3 log_stretch = logarithm(stretch), h = stretch * cell.box.h;
   const double size = largest_principal(log_stretch);
   const double parts = std::max(1.0, std::ceil(size / strain_of_a_part - 1e-9));
-  const auto motion = start_motion(cell, settings, arithmetic);
+  const auto motion = start_growing_motion(cell, settings, arithmetic);
   for (int part = 0; part < int(parts); ++part) {
     const double step = motion->time_step();
     const double steps =

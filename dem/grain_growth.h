@@ -54,10 +54,10 @@ struct GrainGrowth {
 /// the source. Overlaps change by the growth: the forces of the next increment
 /// are not those of this one, and the grains have to settle again. Growth
 /// brings new pairs into contact: neighbours are to be found with the new
-/// radii. What is explicit costs accuracy of first order in the increment:
-/// cycles at full density of an elastic array lose 0.2 to 0.7 % of their work
-/// with increments of 1e-3 in density, and growth is no part of the energy
-/// account.
+/// radii; grow() of cell_growth.h sees to it. What is explicit costs accuracy
+/// of first order in the increment: cycles at full density of an elastic array
+/// lose 0.2 to 0.7 % of their work with increments of 1e-3 in density, and the
+/// energies of pairs no longer add up; see unstored_work().
 ///
 /// In the source, too, a flat that moves less than the mean unloads its part at
 /// the contact, steeply: in uniaxial compression of a cubic array the lateral

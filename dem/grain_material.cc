@@ -43,5 +43,7 @@ void ContactModel::check() const
     refuse("restitution coefficient",
            restitution_coefficient,
            "above 0 and at most 1");
+  if (!(bulk_onset >= 0 && bulk_onset < 1))
+    refuse("bulk onset", bulk_onset, "at least 0 and below 1");
 }
 } // namespace tamp::dem

@@ -59,6 +59,9 @@ struct ContactModel {
   double rolling_friction_coefficient = 0.1; ///< mu_r [-]
   /// e of an impact, by viscous contact damping; 1 is without [-].
   double restitution_coefficient = 1;
+  /// psi_b, free share of its surface below which a grain responds in bulk;
+  /// mdr only [-].
+  double bulk_onset = 0.5;
 
   /// Throws std::invalid_argument naming the first value that is not
   /// physical.

@@ -188,11 +188,24 @@ CellMeasures measure(const UnitCell &cell)
   return result;
 }
 
-double plastic_loss(const UnitCell &cell)
+namespace
+{
+ContactEnergy contact_energy(const UnitCell &cell)
 {
   ContactEnergy energy;
   for_each_contact(
       cell, [&](const Visited &visited) { add_energy(energy, visited); });
-  return energy.dissipated;
+  return energy;
+}
+} // namespace
+
+double elastic_energy(const UnitCell &cell)
+{
+  return contact_energy(cell).elastic;
+}
+
+double plastic_loss(const UnitCell &cell)
+{
+  return contact_energy(cell).dissipated;
 }
 } // namespace tamp::dem

@@ -55,6 +55,8 @@ CellMeasures measure(const UnitCell &cell);
 /// What the normal laws have turned into heat in the contacts that there are
 /// [J].
 double plastic_loss(const UnitCell &cell);
+/// Energy stored in all contacts [J].
+double elastic_energy(const UnitCell &cell);
 } // namespace tamp::dem
 
 #endif

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <dem/growing_motion.h>
 #include <dem/mixed_servo.h>
-#include <dem/motion.h>
 #include <dem/servo_gain.h>
 #include <dem/six.h>
 #include <dem/stretch.h>
@@ -51,7 +51,7 @@ Servos::Servos(UnitCell &cell,
                const Dynamics &settings,
                const Arithmetic &arithmetic)
     : cell_(cell), control_(control), rate_(settings.strain_rate),
-      motion_(start_motion(cell, settings, arithmetic)),
+      motion_(start_growing_motion(cell, settings, arithmetic)),
       gains_(6, ServoGain(settings.strain_rate))
 {
   for (int k = 0; k < 6; ++k) {

@@ -21,10 +21,10 @@ void PackingRequest::check() const
   sizes.check();
   material.check();
   contact.check();
-  if (contact.normal_law == NormalLaw::mdr)
+  if (contact.normal_law == NormalLaw::mdr && !others.empty())
     throw std::invalid_argument(
-        "normal law mdr: cells do not let their grains grow yet, without which "
-        "the law locks up no more than others; use it for single contacts");
+        "normal law mdr: its contacts are of two grains of one material, and "
+        "the packing has further kinds of grains; expected one kind");
   if (others.size() > most_others)
     refuse("further kinds of grains", double(others.size()), "at most 254");
   double shares = 0;

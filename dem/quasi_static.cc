@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <dem/cell_growth.h>
 #include <dem/fire.h>
 #include <dem/hill_mandel.h>
 #include <dem/kernel/kernel.h>
@@ -190,7 +191,9 @@ void Increment<T>::adopt(CellAnswer &answer)
   const Matrix3 old_stress = love_weber_stress(cell_);
   const double old_volume = cell_.box.volume();
   layout_.read_memories(cell_); // without pairs that have parted for good
-  const double old_loss = plastic_loss(cell_);
+  // Where grains grow the loss is what the work leaves, see step().
+  const bool grow = grains_grow(cell_);
+  const double old_loss = grow ? 0 : plastic_loss(cell_);
   const SweepTotals totals = layout_.sweep(affine_, {Memory::written});
   cell_.box = box_;
   for (std::size_t i = 0; i < place_.size(); ++i)
@@ -204,8 +207,9 @@ void Increment<T>::adopt(CellAnswer &answer)
       ((old_stress + answer.stress).array() * log_stretch_.array()).sum();
   cell_.energy.friction_dissipation += totals.lost_work;
   cell_.energy.adhesion_dissipation += totals.adhesion_loss;
-  cell_.energy.plastic_dissipation +=
-      plastic_loss(cell_) - old_loss + totals.forgotten_loss;
+  if (!grow)
+    cell_.energy.plastic_dissipation +=
+        plastic_loss(cell_) - old_loss + totals.forgotten_loss;
 }
 
 /// One increment with or without a guess.
@@ -250,15 +254,33 @@ CellAnswer step_in(UnitCell &cell,
   return answer;
 }
 
+CellAnswer step_of_lasting_sizes(UnitCell &cell,
+                                 const Stretch &stretch,
+                                 const QuasiStatic &settings,
+                                 const Arithmetic &arithmetic,
+                                 WarmGuess *guess)
+{
+  return arithmetic.precision == Precision::mixed
+             ? step_in<float>(cell, stretch, settings, arithmetic, guess)
+             : step_in<double>(cell, stretch, settings, arithmetic, guess);
+}
+
+/// One increment. Grains that grow do so first.
 CellAnswer step(UnitCell &cell,
                 const Stretch &stretch,
                 const QuasiStatic &settings,
                 const Arithmetic &arithmetic,
                 WarmGuess *guess)
 {
-  return arithmetic.precision == Precision::mixed
-             ? step_in<float>(cell, stretch, settings, arithmetic, guess)
-             : step_in<double>(cell, stretch, settings, arithmetic, guess);
+  if (!grains_grow(cell))
+    return step_of_lasting_sizes(cell, stretch, settings, arithmetic, guess);
+  const double loss = cell.energy.plastic_dissipation - unstored_work(cell);
+  grow(cell);
+  const CellAnswer answer =
+      step_of_lasting_sizes(cell, stretch, settings, arithmetic, guess);
+  if (answer.outcome != Outcome::diverged)
+    cell.energy.plastic_dissipation = loss + unstored_work(cell);
+  return answer;
 }
 } // namespace
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <dem/motion.h>
+#include <dem/growing_motion.h>
 #include <dem/servo.h>
 #include <dem/servo_gain.h>
 #include <dem/tangent.h>
@@ -25,7 +25,7 @@ CellAnswer servo_to_pressure(UnitCell &cell,
   Positive{}(goal.pressure, "pressure of the servo");
   const double near = goal.accuracy * goal.pressure;
   ServoGain gain(settings.strain_rate);
-  const auto motion = start_motion(cell, settings, arithmetic);
+  const auto motion = start_growing_motion(cell, settings, arithmetic);
   Outcome outcome = Outcome::unsettled;
   double step = 0, stiffness = 0, missing = goal.pressure;
   for (std::size_t look = 0; motion->steps() < goal.most_steps; ++look) {

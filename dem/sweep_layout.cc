@@ -48,15 +48,18 @@ void SweepLayout<T>::read_memories(UnitCell &cell) const
 template <class T>
 typename SweepLayout<T>::Stiffness SweepLayout<T>::stiffness() const
 {
+  constexpr std::size_t lanes = ContactBlock<T>::lanes;
   Stiffness sum{std::vector<double>(rows_.size(), 0.0),
                 std::vector<double>(rows_.size(), 0.0),
                 std::vector<double>(rows_.size(), 0.0)};
+  std::vector<double> more(contacts_.more_per_contact());
   const auto add = [&](const auto &normal,
                        const auto &tangential,
                        double modulus,
-                       const ContactBlock<T> &block,
+                       std::size_t b,
                        std::size_t lane,
                        const NearPair &near) {
+    const ContactBlock<T> &block = contacts_.blocks()[b];
     if (near.overlap <= 0 && block.contact_radius[lane] <= 0)
       return;
     const auto [i, j] = near.pair;
@@ -64,9 +67,12 @@ typename SweepLayout<T>::Stiffness SweepLayout<T>::stiffness() const
                                      block.reduced_radius[lane],
                                      radius_[j] - radius_[i],
                                      0};
+    for (std::size_t m = 0; m < more.size(); ++m)
+      more[m] = double(contacts_.more()[(b * more.size() + m) * lanes + lane]);
     const NormalMemory<double> memory = {
         std::max(near.overlap, double(block.largest_overlap[lane])),
-        block.contact_radius[lane]};
+        block.contact_radius[lane],
+        more.data()};
     const double kn = normal.steepest_slope(shape, memory);
     const double kt = tangential.stiffness(kn / (2 * modulus));
     sum.largest = std::max(sum.largest, kn + kt);
@@ -81,12 +87,7 @@ typename SweepLayout<T>::Stiffness SweepLayout<T>::stiffness() const
         const PairLaws &laws = laws_.of_kind(laws_.kind(near.pair));
         std::visit(
             [&](const auto &normal, const auto &tangential) {
-              add(normal,
-                  tangential,
-                  laws.effective_modulus,
-                  contacts_.blocks()[b],
-                  lane,
-                  near);
+              add(normal, tangential, laws.effective_modulus, b, lane, near);
             },
             laws.normal,
             laws.tangential);

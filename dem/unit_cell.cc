@@ -24,7 +24,7 @@ double UnitCell::mean_radius() const
 
 double UnitCell::mass(std::size_t grain) const
 {
-  const double r = radius[grain];
+  const double r = initial_radius_of(grain);
   return 4.0 / 3 * std::numbers::pi * r * r * r * material_of(grain).density;
 }
 
@@ -40,7 +40,7 @@ PairShape<double> UnitCell::shape(Pair pair) const
 double UnitCell::solid_volume() const
 {
   double sum = 0;
-  for (double r : radius)
+  for (double r : initial_radius.empty() ? radius : initial_radius)
     sum += r * r * r;
   return 4.0 / 3 * std::numbers::pi * sum;
 }

@@ -26,8 +26,9 @@ struct LastMotion {
 
 /// Work and heat since the cell was made [J].
 struct EnergyAccount {
-  double work = 0;                 ///< done by the stress on the cell
-  double plastic_dissipation = 0;  ///< by yielding
+  double work = 0; ///< done by the stress on the cell
+  /// In the normal laws; where grains grow all else that is not stored.
+  double plastic_dissipation = 0;
   double friction_dissipation = 0; ///< by sliding and rolling
   double damping_dissipation = 0;  ///< globally and in contacts; dynamics only
   double adhesion_dissipation = 0; ///< in jumps of the force, at touch and tear
@@ -44,9 +45,11 @@ public:
                                      ///< empty: all of the first
   ContactModel contact;
   PeriodicBox box;
-  double reference_volume = 0;   ///< V_0 of the box when the cell was made [m3]
-  std::vector<double> radius;    ///< [m]
-  std::vector<Vector3> place;    ///< fractional coordinates [-]
+  double reference_volume = 0; ///< V_0 of the box when the cell was made [m3]
+  std::vector<double> radius;  ///< R, apparent where grains grow [m]
+  std::vector<double> initial_radius; ///< R_o, which gives volume and mass;
+                                      ///< empty: no grain has grown [m]
+  std::vector<Vector3> place;         ///< fractional coordinates [-]
   std::vector<Vector3> velocity; ///< fluctuation [m/s]; empty unless dynamic
   std::vector<Vector3> spin;     ///< [rad/s]; empty unless dynamic
   std::vector<ContactMemory> contacts; ///< of touching pairs, sorted
@@ -62,12 +65,16 @@ public:
   {
     return materials[species.empty() ? 0 : species[grain]];
   }
+  double initial_radius_of(std::size_t grain) const
+  {
+    return initial_radius.empty() ? radius[grain] : initial_radius[grain];
+  }
   double mass(std::size_t grain) const; ///< [kg]
   PairShape<double> shape(Pair pair) const;
   double largest_radius() const;
   double smallest_radius() const;
   double mean_radius() const;
-  /// Volume of all grains, overlaps not taken off [m3].
+  /// Volume of all grains by their R_o, overlaps not taken off [m3].
   double solid_volume() const;
   /// solid_volume() / volume of the box [-].
   double relative_density() const { return solid_volume() / box.volume(); }

@@ -33,6 +33,7 @@ void visit_model(Model &model, Visitor &visit)
   visit(model.work_of_adhesion);
   visit(model.rolling_friction_coefficient);
   visit(model.restitution_coefficient);
+  visit(model.bulk_onset);
 }
 
 struct Writer {
@@ -98,6 +99,7 @@ void visit_parts(Cell &cell, Visitor &visit)
   visit(cell.box.h);
   visit(cell.reference_volume);
   visit(cell.radius);
+  visit(cell.initial_radius);
   visit(cell.place);
   visit(cell.velocity);
   visit(cell.spin);
@@ -133,6 +135,7 @@ bool physical(const UnitCell &cell)
   const auto finite = [](const auto &vector) { return vector.allFinite(); };
   const auto size = [](double r) { return r > 0 && std::isfinite(r); };
   return size(cell.box.volume()) && std::ranges::all_of(cell.radius, size) &&
+         std::ranges::all_of(cell.initial_radius, size) &&
          std::ranges::all_of(cell.place, finite);
 }
 
@@ -170,8 +173,10 @@ bool consistent(const UnitCell &cell)
   if (cell.materials.empty() ||
       cell.more_memory.size() != cell.contacts.size() * CellLaws(cell).more())
     return false;
-  return n > 0 && cell.place.size() == n && none_or(cell.species.size(), n) &&
-         none_or(cell.velocity.size(), n) && none_or(cell.spin.size(), n) &&
+  return n > 0 && cell.place.size() == n &&
+         none_or(cell.initial_radius.size(), n) &&
+         none_or(cell.species.size(), n) && none_or(cell.velocity.size(), n) &&
+         none_or(cell.spin.size(), n) &&
          none_or(cell.neighbours.place.size(), n) &&
          none_or(cell.last.motion.size(), 6 * n);
 }

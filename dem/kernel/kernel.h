@@ -27,7 +27,7 @@ template <class T>
 struct KernelTotals {
   T normal_force = 0; ///< sum of |N| [N]
   T contacts = 0;     ///< that touch
-  T beyond = 0;       ///< above zero if an overlap is beyond 2 R* [m]
+  T beyond = 0;       ///< above zero if an overlap is beyond its law [m]
   T lost_work = 0;    ///< by the tangential and rolling laws [J]
   T damped_work = 0;  ///< by contact damping [J]
   // Of written memory only:

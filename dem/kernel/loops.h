@@ -138,6 +138,16 @@ struct More {
   }
 };
 
+/// Where a law ends [m]: at 2 R*, unless it says otherwise.
+template <class Law, class V>
+V deepest_overlap(const Law &law, const PairShape<V> &pair)
+{
+  if constexpr (requires { law.deepest_overlap(pair); })
+    return law.deepest_overlap(pair);
+  else
+    return V(2.0) * pair.reduced_radius;
+}
+
 /// Normal forces of a chunk.
 template <class T, class Law>
 void push(const void *constants,
@@ -184,7 +194,7 @@ void push(const void *constants,
       answer.pull_off.store(chunk.pull_off + k);
       force_sum += abs(answer.force);
       touching += select(touches, P(1.0), P(0.0));
-      beyond = max(beyond, overlap - P(2.0) * pair.reduced_radius);
+      beyond = max(beyond, overlap - deepest_overlap(law, pair));
     }
   totals.normal_force += sum(force_sum);
   totals.contacts += sum(touching);

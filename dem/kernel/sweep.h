@@ -22,7 +22,7 @@ enum class Memory {
 struct SweepTotals {
   double normal_force = 0;  ///< of |N| [N]
   std::size_t contacts = 0; ///< that touch
-  bool too_deep = false;    ///< an overlap beyond 2 R*, where no law holds
+  bool too_deep = false;    ///< an overlap where no law holds
   double lost_work = 0;     ///< by rubbing and rolling since the memory was
                             ///< written [J]; for written memory only
   double damped_work = 0;   ///< by damping in the contacts [J]

@@ -129,16 +129,19 @@ NormalEnergy Mdr::energy(double overlap,
   const auto side = sides(overlap, pair, memory);
   Scratch after(memory);
   (*this)(overlap, pair, after.memory);
-  double bulk = 0;
+  double bulk = 0, local_sum = 0;
   for (int k = 0; k < 2; ++k) {
+    const MdrSide<double> &s = side[k];
     const auto old =
         MdrMemory<double>::read(memory.more + k * MdrMemory<double>::size);
-    bulk += 0.25 * old.bulk_stiffness * side[k].area * side[k].bulk_overlap *
-            side[k].bulk_overlap;
+    const double push = old.bulk_stiffness * s.bulk_overlap * s.area;
+    // The local force is there while the grain yields in bulk.
+    bulk += 0.5 * (s.force - 0.5 * push) * s.bulk_overlap;
+    local_sum += s.local_overlap;
   }
   const double open = 1 - memory.more[2 * MdrMemory<double>::size];
   if (!is_plastic(pair, after.memory))
-    return {open * (virgin_work(std::max(overlap, 0.0), pair) + bulk), 0};
+    return {open * (virgin_work(std::max(local_sum, 0.0), pair) + bulk), 0};
 
   // The sides share the overlap in unloading as their recoveries do.
   const double recovery = side[0].peak.recovery + side[1].peak.recovery;

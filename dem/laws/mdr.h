@@ -80,6 +80,21 @@ public:
             V(0.0)};
   }
 
+  /// Where a flat comes within a twentieth of the radius of the centre of the
+  /// smaller grain, but at least 2 R*: grains of uniaxially pressed powder are
+  /// flat, and their centres nearer than half of R_i + R_j [m].
+  template <class V>
+  V deepest_overlap(const PairShape<V> &pair) const
+  {
+    const V small = V(0.5) * (pair.radius_sum - abs(pair.radius_difference));
+    const V depth = V(SphereOnFlat::overlap_limit) * small;
+    const V half = pair.radius_sum - small + depth;
+    const V cut =
+        half -
+        sqrt(max(half * half - V(2.0) * pair.radius_sum * depth, V(0.0)));
+    return max(cut, V(2.0) * pair.reduced_radius);
+  }
+
   /// dN/d delta for further loading, a difference over 1e-6 of the overlap
   /// [N/m].
   double loading_slope(double overlap,

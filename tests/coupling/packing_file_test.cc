@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <coupling/packing_adoption.h>
 #include <coupling/packing_file.h>
 #include <dem/deform.h>
 #include <dem/measures.h>
@@ -18,6 +19,7 @@ namespace
 {
 namespace fs = std::filesystem;
 using test::granules;
+using test::growing_cell;
 using test::sample_cell;
 
 class PackingFile : public testing::Test
@@ -88,6 +90,29 @@ TEST_F(PackingFile, Hdf5GivesTheCellBackToTheBit)
     write_packing(cell, stored);
     EXPECT_EQ(read_packing(stored), cell);
   }
+}
+
+TEST_F(PackingFile, GrownGrainsKeepBothSizes)
+{
+  const dem::UnitCell &cell = growing_cell();
+  ASSERT_EQ(cell.initial_radius.size(), cell.size());
+  ASSERT_NE(cell.initial_radius, cell.radius);
+  write_packing(cell, path("a.h5"));
+  EXPECT_EQ(read_packing(path("a.h5")), cell);
+  write_packing_text(cell, path("a.txt"));
+  EXPECT_EQ(read_packing(path("a.txt")).radius, cell.initial_radius);
+}
+
+TEST_F(PackingFile, FilesFromBeforeGrainsGrewAreRead)
+{
+  // 30 grains, written before there were initial sizes and a bulk onset.
+  const dem::UnitCell cell =
+      read_packing(fs::path(TAMP_TEST_DATA) / "packing_of_lasting_sizes.h5");
+  EXPECT_EQ(cell.size(), 30u);
+  EXPECT_TRUE(cell.initial_radius.empty());
+  EXPECT_EQ(cell.initial_radius_of(3), cell.radius[3]);
+  EXPECT_EQ(cell.contact.bulk_onset, dem::ContactModel().bulk_onset);
+  EXPECT_FALSE(cell.contacts.empty());
 }
 
 TEST_F(PackingFile, SameCellGivesTheSameBytes)
@@ -264,6 +289,20 @@ TEST(AdoptedPacking, SlipsWhereFrictionIsLess)
     EXPECT_LE(force.tangential_force.norm(),
               0.1 * force.normal_force + rounding);
   EXPECT_EQ(cell.energy, dem::EnergyAccount{});
+}
+
+TEST(AdoptedPacking, ForgetsTheGrowthOfGrainsWithTheContacts)
+{
+  dem::UnitCell kept = growing_cell(), forgotten = growing_cell();
+  EXPECT_EQ(adopt_packing(kept, kept.materials, kept.contact), History::kept);
+  EXPECT_EQ(kept.radius, growing_cell().radius);
+  dem::ContactModel other = forgotten.contact;
+  other.normal_law = dem::NormalLaw::thornton_ning;
+  EXPECT_EQ(adopt_packing(forgotten, forgotten.materials, other),
+            History::forgotten);
+  EXPECT_EQ(forgotten.radius, growing_cell().initial_radius);
+  EXPECT_TRUE(forgotten.initial_radius.empty());
+  EXPECT_EQ(forgotten.solid_volume(), growing_cell().solid_volume());
 }
 
 TEST(AdoptedPacking, OfATextPushesAsHardAsBefore)

@@ -32,6 +32,21 @@ inline const dem::UnitCell &sample_cell()
   return cell;
 }
 
+/// Grains of the law mdr at a relative density at which they grow, made once.
+inline const dem::UnitCell &growing_cell()
+{
+  static const dem::UnitCell cell = [] {
+    dem::PackingRequest request = granules();
+    request.contact.normal_law = dem::NormalLaw::mdr;
+    request.contact.bulk_onset = 0.4;
+    dem::UnitCell result = make_packing(request);
+    while (result.relative_density() < 0.85)
+      deform(result, 0.997 * dem::Matrix3::Identity(), {});
+    return result;
+  }();
+  return cell;
+}
+
 inline CellPointsOptions cold()
 {
   CellPointsOptions options;

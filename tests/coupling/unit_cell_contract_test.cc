@@ -42,5 +42,24 @@ struct ContractTraits<UnitCells> : ContractDefaults {
   }
 };
 
+/// Cells whose grains grow, dense enough that they do.
+struct GrowingCells {
+};
+
+template <>
+struct ContractTraits<GrowingCells> : ContractTraits<UnitCells> {
+  // Growth by the last increment, of 5e-3, comes with the next.
+  static double identity_tolerance() { return 0.025; }
+  static std::unique_ptr<MaterialPoints> make()
+  {
+    return std::make_unique<coupling::UnitCellPoints>(
+        std::vector<dem::UnitCell>(3, coupling::test::growing_cell()),
+        coupling::test::cold());
+  }
+};
+
 INSTANTIATE_TYPED_TEST_SUITE_P(Grains, MaterialPointsContract, UnitCells);
+INSTANTIATE_TYPED_TEST_SUITE_P(GrowingGrains,
+                               MaterialPointsContract,
+                               GrowingCells);
 } // namespace tamp::fem::contract

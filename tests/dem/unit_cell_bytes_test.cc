@@ -74,6 +74,7 @@ TEST(UnitCellBytes, EqualCellsGiveEqualBytesWhateverLiesBetweenTheirMembers)
     own.work_of_adhesion = model.work_of_adhesion;
     own.rolling_friction_coefficient = model.rolling_friction_coefficient;
     own.restitution_coefficient = model.restitution_coefficient;
+    own.bulk_onset = model.bulk_onset;
     ASSERT_EQ(own, model);
     to_bytes(cell, bytes[k]);
   }
