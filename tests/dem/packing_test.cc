@@ -191,6 +191,28 @@ TEST(Packing, TellsOfEveryStep)
   EXPECT_NEAR(stress.back(), 0.5e6, 0.01 * 0.5e6);
 }
 
+TEST(Packing, HardGrainsArePressedByTheirOverlapsOnceTheyCarry)
+{
+  PackingRequest request = alumina_request();
+  request.material = {70e9, 0.3, 2650, 0.5e9};
+  request.goal.pressure = 100e3;
+  // That of Hertz over the diameter; longer steps shake a packing denser.
+  const double overlap = std::pow(100e3 / 70e9, 2.0 / 3);
+  double box = 0, longest = 0;
+  bool carrying = false;
+  (void)make_packing(
+      request, [&](const UnitCell &cell, const CellAnswer &answer) {
+        const double now = cell.box.h(0, 0);
+        if (carrying)
+          longest = std::max(longest, std::log(box / now));
+        carrying = carrying || answer.evaluations > 250; // dem/compression.cc
+        box = now;
+      });
+  EXPECT_TRUE(carrying);
+  EXPECT_LT(longest, overlap);
+  EXPECT_GT(longest, 0.5 * overlap); // and no shorter than needed
+}
+
 TEST(CellShape, IsCubicWhereThatIsWideEnough)
 {
   EXPECT_EQ(cell_shape(alumina_request()), 1);

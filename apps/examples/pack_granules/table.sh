@@ -6,7 +6,7 @@
 set -euo pipefail
 
 tamp=${1:-build/apps/tamp}
-seeds=${2:-3}
+seeds=${2:-5}
 grains=${3:-1000}
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
