@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <apps/cell_columns.h>
 #include <dem/dynamics.h>
-
-#include <utility>
+#include <dem/six.h>
 
 namespace tamp::apps
 {
@@ -11,8 +10,7 @@ const std::vector<std::string> six_names{"xx", "yy", "zz", "yz", "xz", "xy"};
 void append_six(const dealii::SymmetricTensor<2, 3> &tensor,
                 std::vector<double> &values)
 {
-  for (const auto &[i, j] :
-       {std::pair{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}})
+  for (const auto &[i, j] : dem::six_places)
     values.push_back(tensor[i][j]);
 }
 

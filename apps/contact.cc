@@ -5,6 +5,7 @@
 #include <apps/plots.h>
 #include <apps/run_material.h>
 #include <dem/pair_impact.h>
+#include <dem/remarks.h>
 
 #include <algorithm>
 #include <cmath>
@@ -91,6 +92,12 @@ public:
     if (!pair_.impact && model.restitution_coefficient < 1)
       session_.warn("a path knows no time: Contact/Restitution coefficient is "
                     "not felt");
+    for (const dem::Remark &remark : dem::judge_contacts(
+             model,
+             pair_material(pair_.material, pair_.partner),
+             dem::shape_of(pair_.first, pair_.second).reduced_radius,
+             "the contact"))
+      session_.warn(remark.text);
     const dem::PairContact contact{
         dem::pair_laws(model, pair_.material, pair_.partner),
         dem::shape_of(pair_.first, pair_.second)};

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <apps/cell_remarks.h>
 #include <apps/commands.h>
 #include <apps/die_output.h>
 #include <apps/die_results.h>
@@ -12,6 +13,8 @@
 #include <fem/die_model.h>
 
 #include <deal.II/base/mpi.h>
+#include <deal.II/base/symmetric_tensor.h>
+#include <deal.II/base/tensor.h>
 
 #include <algorithm>
 #include <cmath>
@@ -159,11 +162,37 @@ private:
     results_.take(record, kind(record.stage), effort);
     output_.write_point_lines();
     if (material_.cells)
-      warn_beyond_pair_laws(session_, record.mean_relative_density);
+      judge_cells(record);
     if (kind(record.stage) == StageKind::press)
       map_ = density_map(model_);
     session_.log().step(
         share(record), record.step, "steps", line(record, effort));
+  }
+
+  void judge_cells(const fem::StepRecord &record)
+  {
+    const auto &responses = model_.responses();
+    for (std::size_t point = 0; point < material_.cells->size(); ++point)
+      cell_remarks_.take(point,
+                         dem::judge(material_.cells->cell(point),
+                                    session_.input().material.driving,
+                                    -trace(responses[point].stress) / 3),
+                         [&] { return place(point, record); });
+  }
+
+  std::string place(std::size_t point, const fem::StepRecord &record) const
+  {
+    const auto position = model_.point_positions()[point];
+    return fmt::format(
+        "point {} at r = {:.4g} mm, z = {:.4g} mm, step {} ({}), volumetric "
+        "strain {:.4g}",
+        point,
+        1e3 * position[0],
+        1e3 * position[1],
+        record.step,
+        name_of(kind(record.stage)),
+        // Nobody wants to read -0.
+        0 - std::log(determinant(model_.deformation_gradients()[point])));
   }
 
   double share(const fem::StepRecord &record) const
@@ -243,6 +272,7 @@ private:
   void give()
   {
     results_.give(session_);
+    cell_remarks_.give();
     const fem::ModelTimes times = model_.times();
     session_.result("time_material[s]", times.material);
     session_.result("time_assembly[s]", times.assembly);
@@ -277,6 +307,7 @@ private:
   std::vector<double> steps_;
   unsigned stage_ = 0;
   DieResults results_;
+  CellRemarks cell_remarks_{session_, "point", mesh_.number_of_points()};
   std::vector<ValueQuadrilateral> map_;
 };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <apps/cell_remarks.h>
 #include <apps/commands.h>
 #include <apps/curve_writer.h>
 #include <apps/interrupt.h>
@@ -36,12 +37,14 @@ public:
                packing_header(),
                {"compression is positive; steps in which loose grains are "
                 "still on the move have an unbalance to match"}),
-        rows_(replicas_), shares_(replicas_, 0.0), finished_(replicas_, false)
+        rows_(replicas_), shares_(replicas_, 0.0), finished_(replicas_, false),
+        remarks_(replicas_)
   {
   }
 
   RunEnd work()
   {
+    warn_of_contact_model(session_);
     session_.log().begin(packing_title(choice_, replicas_));
     RunEnd end;
     try {
@@ -57,6 +60,7 @@ public:
     session_.log().end();
     warn_of_history(session_, history_);
     results_.give(session_);
+    say_remarks();
     draw();
     return end;
   }
@@ -170,6 +174,17 @@ private:
     shares_[i] = 1;
     write_rows();
     results_.take(i, cell);
+    remarks_[i] = dem::judge(cell, {}, choice_.packing.goal.pressure);
+  }
+
+  // In the order of the packings, whichever was ready first.
+  void say_remarks()
+  {
+    CellRemarks cell_remarks(session_, "packing", replicas_);
+    for (std::size_t i = 0; i < replicas_; ++i)
+      cell_remarks.take(
+          i, remarks_[i], [i] { return fmt::format("packing {}", i + 1); });
+    cell_remarks.give();
   }
 
   void draw()
@@ -194,6 +209,7 @@ private:
   std::vector<std::vector<std::vector<double>>> rows_;
   std::vector<double> shares_;
   std::vector<bool> finished_;
+  std::vector<std::vector<dem::Remark>> remarks_;
   std::size_t writing_ = 0; // the packing whose rows go to the curve
   double start_density_ = 0, steps_ = 0;
   coupling::History history_ = coupling::History::kept;

@@ -215,7 +215,10 @@ private:
     curve_.write(values);
     remember(record, strain, stress);
     if (material_.cells)
-      cell_remarks_.judge(material_.cells->cell(0), driving());
+      cell_remarks_.take(
+          0,
+          dem::judge(material_.cells->cell(0), driving(), trace(stress) / 3),
+          [&] { return place(record); });
     report(record);
     if (step_ % session_.input().output.grain_interval == 0)
       write_grains();
@@ -240,6 +243,14 @@ private:
           std::max(worst_unbalance_, material_.cells->report().worst_unbalance);
     }
     doubtful_ += record.response.status == fem::Status::doubtful;
+  }
+
+  std::string place(const fem::PathRecord &record) const
+  {
+    return fmt::format("step {} ({}), axial strain {:.4g}",
+                       record.step,
+                       stages_[record.stage].name,
+                       strain_);
   }
 
   void report(const fem::PathRecord &record)
@@ -291,7 +302,7 @@ private:
   coupling::Material material_;
   CurveWriter curve_;
   SeriesWriter grains_;
-  CellRemarks cell_remarks_{session_};
+  CellRemarks cell_remarks_{session_, "cell", 1};
   std::vector<fem::PathStage> stages_;
   unsigned step_ = 0;
   std::optional<unsigned> written_;

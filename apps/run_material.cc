@@ -7,11 +7,6 @@
 
 namespace tamp::apps
 {
-namespace
-{
-constexpr double densest_of_pairs = 0.82;
-} // namespace
-
 void warn_of_contact_model(RunSession &session)
 {
   const dem::ContactModel &model = session.input().material.packing.contact;
@@ -80,15 +75,5 @@ coupling::Material prepare_material(RunSession &session, std::size_t count)
   } catch (const std::runtime_error &error) {
     throw PackingError(error.what());
   }
-}
-
-void warn_beyond_pair_laws(RunSession &session, double mean_relative_density)
-{
-  const dem::ContactModel &model = session.input().material.packing.contact;
-  if (mean_relative_density > densest_of_pairs &&
-      model.normal_law != dem::NormalLaw::mdr)
-    session.warn(fmt::format("contact laws of pairs lose accuracy above a "
-                             "relative density of about {}",
-                             densest_of_pairs));
 }
 } // namespace tamp::apps

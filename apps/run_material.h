@@ -27,10 +27,6 @@ std::string packing_title(const coupling::MaterialChoice &choice,
 /// Warns if stored packings are not as they were stored.
 void warn_of_history(RunSession &session, coupling::History history);
 
-/// Warns, once a run, if cells are denser than where forces may be computed
-/// contact by contact, and are.
-void warn_beyond_pair_laws(RunSession &session, double mean_relative_density);
-
 /// Warns of a work of adhesion and a normal law that do not fit together.
 void warn_of_contact_model(RunSession &session);
 } // namespace tamp::apps

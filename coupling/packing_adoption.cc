@@ -3,6 +3,7 @@
 #include <dem/deform.h>
 #include <dem/unit_cell.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <stdexcept>
 #include <string>
@@ -17,10 +18,12 @@ void settle(dem::UnitCell &cell)
 {
   constexpr int most_rests = 20;
   dem::Driving driving;
-  // Forces of grains that barely touch: a billionth of E d^2.
+  // Forces of grains that barely touch: a billionth of E d^2, of the softest.
   const double diameter = 2 * cell.mean_radius();
   driving.quasi_static.force_floor =
-      1e-9 * cell.materials[0].youngs_modulus * diameter * diameter;
+      1e-9 * diameter * diameter *
+      std::ranges::min(cell.materials, {}, &dem::GrainMaterial::youngs_modulus)
+          .youngs_modulus;
   for (int k = 0; k < most_rests; ++k)
     if (const auto answer = deform(cell, dem::Stretch::Identity(), driving);
         answer.outcome == dem::Outcome::settled)

@@ -198,9 +198,9 @@ public:
   void version_of_file()
   {
     const auto found = sized(in_.integers("/version"), 1, "/version")[0];
-    if (found != version)
+    if (found < 1 || found > version)
       throw std::invalid_argument("its version is " + std::to_string(found) +
-                                  "; this program reads version " +
+                                  "; this program reads versions 1 to " +
                                   std::to_string(version));
   }
 
@@ -292,7 +292,8 @@ void visit_parts(File &file, Cell &cell, Columns &contacts)
   file.number("/energy/plastic_dissipation", "J", energy.plastic_dissipation);
   file.number("/energy/friction_dissipation", "J", energy.friction_dissipation);
   file.number("/energy/damping_dissipation", "J", energy.damping_dissipation);
-  file.number("/energy/adhesion_dissipation", "J", energy.adhesion_dissipation);
+  file.later_number(
+      "/energy/adhesion_dissipation", "J", energy.adhesion_dissipation);
 }
 
 /// Throws std::invalid_argument unless the parts make up a cell that can be.

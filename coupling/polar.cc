@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <coupling/polar.h>
+#include <dem/six.h>
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
-#include <array>
 #include <stdexcept>
-#include <utility>
 
 namespace tamp::coupling
 {
@@ -50,19 +49,13 @@ dealii::SymmetricTensor<2, 3> to_tensor(const dem::Matrix3 &matrix)
   return tensor;
 }
 
-namespace
-{
-constexpr std::array<std::pair<int, int>, 6> component = {
-    {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}}};
-} // namespace
-
 Tangent4 to_tangent(const dem::Tangent &tangent)
 {
   Tangent4 result;
   for (int k = 0; k < 6; ++k)
     for (int l = 0; l < 6; ++l) {
-      const auto [a, b] = component[k];
-      const auto [c, d] = component[l];
+      const auto [a, b] = dem::six_places[k];
+      const auto [c, d] = dem::six_places[l];
       // The strain of column l holds both of its shear entries.
       result[a][b][c][d] = (l < 3 ? 1.0 : 0.5) * tangent(k, l);
     }
@@ -74,7 +67,7 @@ Tangent4 turned(const Tangent4 &tangent, const dem::Matrix3 &rotation)
   // Column by column: turn each unit strain back, map it, turn the stress.
   Tangent4 result;
   for (int l = 0; l < 6; ++l) {
-    const auto [c, d] = component[l];
+    const auto [c, d] = dem::six_places[l];
     dem::Matrix3 strain = dem::Matrix3::Zero();
     strain(c, d) = strain(d, c) = c == d ? 1.0 : 0.5;
     const dealii::SymmetricTensor<2, 3> stress =
@@ -82,7 +75,7 @@ Tangent4 turned(const Tangent4 &tangent, const dem::Matrix3 &rotation)
     const dem::Matrix3 turned_stress = rotation *
                                        to_matrix(dealii::Tensor<2, 3>(stress)) *
                                        rotation.transpose();
-    for (const auto &[a, b] : component)
+    for (const auto &[a, b] : dem::six_places)
       result[a][b][c][d] = turned_stress(a, b);
   }
   return result;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <dem/condensed_tangent.h>
 #include <dem/measures.h>
-#include <dem/voigt_order.h>
+#include <dem/six.h>
 
 #include <vector>
 
@@ -18,8 +18,7 @@ SolvedTangent condensed_stiffness(const UnitCell &cell,
   SolvedTangent result;
   result.converged = !responses.empty();
   for (int column = 0; column < 6 && result.converged; ++column)
-    result.tangent.col(column) =
-        voigt_components(responses[column].stress_change);
+    result.tangent.col(column) = to_six(responses[column].stress_change);
   return result;
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace tamp::dem
 {
@@ -47,13 +48,19 @@ DynamicMeasures measure_dynamics(const UnitCell &cell,
                                  double pressure)
 {
   DynamicMeasures result;
-  const double density = cell.materials[0].density * settings.density_scaling;
+  double mass = 0;
+  double limiting_pressure = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < cell.size(); ++i) {
+    mass += cell.mass(i);
+    limiting_pressure =
+        std::min(limiting_pressure, cell.material_of(i).limiting_pressure);
+  }
+  const double density = settings.density_scaling * mass / cell.solid_volume();
   if (pressure > 0)
     result.inertial_number = settings.strain_rate * 2 * cell.mean_radius() *
                              std::sqrt(density / pressure);
-  result.scaling_number =
-      settings.strain_rate * cell.smallest_radius() *
-      std::sqrt(density / cell.materials[0].limiting_pressure);
+  result.scaling_number = settings.strain_rate * cell.smallest_radius() *
+                          std::sqrt(density / limiting_pressure);
   for (std::size_t i = 0; i < cell.velocity.size(); ++i)
     result.kinetic_energy +=
         0.5 * settings.density_scaling * cell.mass(i) *

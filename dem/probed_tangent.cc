@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <dem/probed_tangent.h>
+#include <dem/six.h>
 #include <dem/stretch.h>
 #include <dem/unit_cell.h>
 #include <dem/value_check.h>
-#include <dem/voigt_order.h>
 
 #include <algorithm>
 
@@ -76,7 +76,7 @@ SolvedTangent probed_tangent(const UnitCell &cell, const Probing &probing)
     const Matrix3 behind =
         probing.central ? probes.stress(-strain) : probes.unprobed();
     const double distance = (probing.central ? 2 : 1) * probing.strain;
-    result.tangent.col(column) = voigt_components((ahead - behind) / distance);
+    result.tangent.col(column) = to_six((ahead - behind) / distance);
   }
   result.converged = probes.settled();
   return result;

@@ -123,8 +123,11 @@ void Increment<T>::choose_masses()
   // grains with few contacts from flying.
   const auto stiffness = layout_.stiffness();
   double floor = 0.6 * stiffness.largest;
-  if (floor <= 0) // no contact yet: that of a small overlap
-    floor = 0.005 * cell_.materials[0].youngs_modulus * cell_.mean_radius();
+  if (floor <= 0) // no contact yet: that of a small overlap, of the stiffest
+    floor =
+        0.005 * cell_.mean_radius() *
+        std::ranges::max(cell_.materials, {}, &GrainMaterial::youngs_modulus)
+            .youngs_modulus;
   for (std::size_t i = 0; i < grains_.size(); ++i) {
     double *mobility = grains_[i].mobility;
     std::fill_n(mobility, 3, 1 / std::max(floor, 0.6 * stiffness.both[i]));

@@ -27,6 +27,7 @@ inline Six to_six(const Matrix3 &tensor)
   return result;
 }
 
+/// The symmetric tensor with these components.
 inline Matrix3 from_six(const Six &components)
 {
   Matrix3 result;
@@ -35,6 +36,12 @@ inline Matrix3 from_six(const Six &components)
     result(a, b) = result(b, a) = components[k];
   }
   return result;
+}
+
+/// The symmetric tensor whose component k, and its mirror image, is 1.
+inline Matrix3 unit_strain(int k)
+{
+  return from_six(Six::Unit(k));
 }
 } // namespace tamp::dem
 

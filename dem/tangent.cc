@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <dem/contact_stiffness.h>
 #include <dem/measures.h>
+#include <dem/six.h>
 #include <dem/tangent.h>
-#include <dem/voigt_order.h>
 
 #include <cstddef>
 #include <vector>
@@ -33,8 +33,7 @@ Tangent contact_sum(const UnitCell &cell, double pull)
       const Vector3 along = unit_strain(column) * n;
       const Vector3 normal = along.dot(n) * n;
       const Vector3 force = k.normal * normal + across * (along - normal);
-      result.col(column) +=
-          voigt_components(d * d / volume * force * n.transpose());
+      result.col(column) += to_six(d * d / volume * force * n.transpose());
     }
   }
   return result;
@@ -51,8 +50,7 @@ Tangent stress_transport(const Matrix3 &stress)
   Tangent result;
   for (int column = 0; column < 6; ++column) {
     const Matrix3 strain = unit_strain(column);
-    result.col(column) =
-        voigt_components(stress * strain - strain.trace() * stress);
+    result.col(column) = to_six(stress * strain - strain.trace() * stress);
   }
   return result;
 }

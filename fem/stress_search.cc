@@ -15,6 +15,7 @@ using dealii::Tensor;
 
 namespace
 {
+// xx, yy, zz, yz, xz, xy.
 constexpr std::array<std::array<unsigned, 2>, 6> entry{
     {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}}};
 

@@ -24,18 +24,7 @@ namespace
 {
 namespace fs = std::filesystem;
 
-const std::string input = R"(subsection Grains
-  set Count            = 60
-  set Minimum diameter = 450 um
-  set Maximum diameter = 650 um
-  set Young's modulus  = 3.5 GPa
-end
-subsection Contact
-  set Limiting contact pressure = 50 MPa
-end
-subsection Packing
-  set Pressure = 0.5 MPa
-end
+const std::string input = R"(include granules.prm
 subsection Die
   set Elements                  = 1, 2
   set Radius                    = 6 mm
@@ -62,6 +51,8 @@ protected:
     home =
         fs::temp_directory_path() / ("tamp_files_" + std::to_string(getpid()));
     fs::create_directories(home);
+    fs::copy_file(fs::path(TAMP_TEST_INPUTS) / "granules.prm",
+                  home / "granules.prm");
     std::ofstream(home / "die.prm") << input;
     RunOptions options;
     options.input = home / "die.prm";

@@ -46,31 +46,6 @@ cut -d, -f1-14 results/law/curve.csv > first.txt
 cut -d, -f1-14 again/curve.csv > second.txt
 cmp first.txt second.txt || fail "the echo gives another run"
 
-# A warning stays in the summary.
-cat > dense.prm << 'END'
-subsection Grains
-  set Count            = 60
-  set Minimum diameter = 450 um
-  set Maximum diameter = 650 um
-  set Young's modulus  = 3.5 GPa
-end
-subsection Contact
-  set Limiting contact pressure = 50 MPa
-end
-subsection Packing
-  set Pressure = 0.5 MPa
-end
-subsection Path
-  set Stages                   = uniaxial to strain 0.35
-  set Maximum strain increment = 5e-2
-end
-END
-"$tamp" probe dense.prm -o dense --no-plots > dense.txt
-for file in dense.txt dense/{log.txt,summary.txt,run.json}; do
-  grep -q 'contact laws of pairs lose accuracy' "$file" || fail "$file"
-done
-[ "$(grep -c '^warning: contact laws' dense.txt)" -eq 1 ] || fail "warned twice"
-
 "$tamp" probe law.prm -o probe > /dev/null
 has probe/{run.json,curve.csv,summary.txt}
 rectangular probe/curve.csv

@@ -7,17 +7,9 @@ source "$(dirname "${BASH_SOURCE[0]}")/begin.sh"
 # A step at rest, then one so long that it asks for too many iterations; it may
 # not be cut.
 cat > die.prm << 'END'
+include granules.prm
 subsection Grains
-  set Count            = 100
-  set Minimum diameter = 450 um
-  set Maximum diameter = 650 um
-  set Young's modulus  = 3.5 GPa
-end
-subsection Contact
-  set Limiting contact pressure = 50 MPa
-end
-subsection Packing
-  set Pressure = 0.5 MPa
+  set Count = 100
 end
 subsection Die
   set Elements = 1, 2

@@ -5,17 +5,9 @@
 . "$(dirname "$(realpath "$0")")/expect.sh"
 
 cat > pack.prm << 'END'
+include granules.prm
 subsection Grains
-  set Count            = 80
-  set Minimum diameter = 450 um
-  set Maximum diameter = 650 um
-  set Young's modulus  = 3.5 GPa
-end
-subsection Contact
-  set Limiting contact pressure = 50 MPa
-end
-subsection Packing
-  set Pressure = 0.5 MPa
+  set Count = 80
 end
 subsection Path
   set Stages = uniaxial to strain 0.005

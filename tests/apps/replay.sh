@@ -19,18 +19,12 @@ columns() {
 stresses='stress_xx[Pa] stress_yy[Pa] stress_zz[Pa] stress_yz[Pa] stress_xz[Pa] stress_xy[Pa]'
 
 cat > cell.prm << 'END'
+include granules.prm
 subsection Grains
-  set Count            = 100
-  set Minimum diameter = 450 um
-  set Maximum diameter = 650 um
-  set Young's modulus  = 3.5 GPa
+  set Count = 100
 end
 subsection Contact
-  set Friction coefficient      = 0.35
-  set Limiting contact pressure = 50 MPa
-end
-subsection Packing
-  set Pressure = 0.5 MPa
+  set Friction coefficient = 0.35
 end
 subsection Cell
   set Warm start = false

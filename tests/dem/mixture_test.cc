@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <dem/deform.h>
+#include <dem/dynamics.h>
 #include <dem/measures.h>
+#include <dem/motion.h>
 #include <dem/packing.h>
+#include <dem/servo.h>
+#include <dem/time_step.h>
 #include <dem/unit_cell.h>
 #include <tests/dem/sample_cells.h>
 
 #include <algorithm>
+#include <cmath>
+#include <cstdint>
 #include <gtest/gtest.h>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace tamp::dem
 {
@@ -86,6 +93,91 @@ TEST(Mixture, YieldsFirstWhereTheSofterMaterialTouches)
   // At 0.5 MPa pressures in contacts are some tens of megapascals.
   EXPECT_GT(soft_plastic, 0.9 * double(soft));
   EXPECT_LT(hard_plastic, 0.1 * double(hard));
+}
+
+/// The same grains with the two materials listed the other way round.
+UnitCell listed_the_other_way(UnitCell cell)
+{
+  std::swap(cell.materials.at(0), cell.materials.at(1));
+  for (std::uint8_t &species : cell.species)
+    species = 1 - species;
+  return cell;
+}
+
+/// A small light grain and a large heavy one that do not touch.
+UnitCell two_grains()
+{
+  UnitCell cell;
+  cell.materials = {{70e9, 0.3, 2650, 1.2e9}, {210e9, 0.28, 7800, 0.5e9}};
+  cell.species = {0, 1};
+  cell.radius = {50e-6, 100e-6};
+  cell.place = {Vector3(0.25, 0.5, 0.5), Vector3(0.75, 0.5, 0.5)};
+  cell.box.h = 1e-3 * Matrix3::Identity();
+  return cell;
+}
+
+// Exact formulae, up to rounding.
+constexpr double rounding = 1e-12;
+
+TEST(Mixture, DynamicNumbersAreThoseOfAllItsGrains)
+{
+  // Volumes 1 : 8, mean density (2650 + 8 x 7800) / 9; p_y the smaller one,
+  // radius the smallest, diameter the mean.
+  const double density = 1e12 * (2650 + 8 * 7800.0) / 9;
+  const Dynamics settings; // 1e-5 per second, density scaled by 1e12
+  for (const UnitCell &cell :
+       {two_grains(), listed_the_other_way(two_grains())}) {
+    const DynamicMeasures found = measure_dynamics(cell, settings, 100e3);
+    EXPECT_NEAR(found.inertial_number /
+                    (1e-5 * 150e-6 * std::sqrt(density / 100e3)),
+                1,
+                rounding);
+    EXPECT_NEAR(found.scaling_number /
+                    (1e-5 * 50e-6 * std::sqrt(density / 0.5e9)),
+                1,
+                rounding);
+  }
+}
+
+TEST(Mixture, TimeStepIsThatOfItsQuickestGrain)
+{
+  const Dynamics settings;
+  const double quickest = rayleigh_time_step(
+      two_grains().materials[0], 50e-6, settings.density_scaling);
+  ASSERT_LT(quickest,
+            rayleigh_time_step(
+                two_grains().materials[1], 100e-6, settings.density_scaling));
+  for (UnitCell cell : {two_grains(), listed_the_other_way(two_grains())})
+    EXPECT_NEAR(start_motion(cell, settings, {})->time_step() /
+                    (settings.time_step_fraction * quickest),
+                1,
+                rounding);
+}
+
+TEST(Mixture, MovesAlikeInEitherOrderOfItsMaterials)
+{
+  const UnitCell start = make_packing(mixture_request());
+  Driving driving;
+  driving.method = Method::dynamics;
+  driving.dynamics.strain_rate = 1e-3;
+  const auto compressed = [&](UnitCell cell) {
+    return deform(cell, test::uniaxial(-1e-3), driving);
+  };
+  const auto squeezed = [&](UnitCell cell) {
+    const CellAnswer answer =
+        servo_to_pressure(cell, {.pressure = 0.6e6}, driving.dynamics);
+    EXPECT_EQ(answer.outcome, Outcome::settled);
+    return cell.relative_density();
+  };
+  const CellAnswer one = compressed(start),
+                   other = compressed(listed_the_other_way(start));
+  EXPECT_EQ(one.evaluations, other.evaluations);
+  // Sums in another order: rounding, which some thousand steps of sliding
+  // contacts may amplify.
+  constexpr double amplified = 1e-6;
+  EXPECT_LT((one.stress - other.stress).norm(), amplified * one.stress.norm());
+  EXPECT_NEAR(
+      squeezed(start) / squeezed(listed_the_other_way(start)), 1, amplified);
 }
 
 TEST(Mixture, RefusalsNameTheValue)
