@@ -25,11 +25,11 @@ struct alignas(64) ContactBlock {
   T contact_radius[lanes];                             ///< [m]
 };
 
-/// Sixty-four contacts on their way through the loops of a sweep, small enough
-/// to stay in the innermost cache.
+/// A hundred and twenty-eight contacts on their way through the loops of a
+/// sweep, small enough to stay in the innermost cache.
 template <class T>
 struct alignas(64) Chunk {
-  static constexpr std::size_t blocks = 4;
+  static constexpr std::size_t blocks = 8;
   static constexpr std::size_t size = blocks * ContactBlock<T>::lanes;
   T normal_x[size], normal_y[size], normal_z[size]; ///< n [-]
   T overlap[size];                                  ///< [m]

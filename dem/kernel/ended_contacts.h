@@ -31,13 +31,13 @@ auto ends(const P &largest_overlap,
 /// their old memory. They are few: lane by lane, in double.
 /// @param b, lane  block of the chunk, and the first lane of the pack
 template <class T, class Law>
-void book_ends(const Law &law,
-               const ChunkOfBlocks<T> &contacts,
-               const Chunk<T> &chunk,
-               std::size_t b,
-               std::size_t lane,
-               const Pack<T> &contact_radius,
-               KernelTotals<T> &totals)
+[[gnu::noinline, gnu::cold]] void book_ends(const Law &law,
+                                            const ChunkOfBlocks<T> &contacts,
+                                            const Chunk<T> &chunk,
+                                            std::size_t b,
+                                            std::size_t lane,
+                                            const Pack<T> &contact_radius,
+                                            KernelTotals<T> &totals)
 {
   constexpr std::size_t lanes = ContactBlock<T>::lanes;
   const ContactBlock<T> &before = contacts.before[b];

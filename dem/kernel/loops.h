@@ -181,8 +181,13 @@ void push(const void *constants,
       if constexpr (!std::is_same_v<Law, Hertz>) // which loses nothing
         if (written && any(ends<Law>(largest, old_radius, touches, kept)))
             [[unlikely]]
-          book_ends(
-              law, contacts, chunk, b, lane, answer.contact_radius, totals);
+          book_ends(*static_cast<const Law *>(constants),
+                    contacts,
+                    chunk,
+                    b,
+                    lane,
+                    answer.contact_radius,
+                    totals);
       select(kept, memory.largest_overlap, P(0.0))
           .store(after.largest_overlap + lane);
       answer.contact_radius.store(after.contact_radius + lane);
