@@ -28,9 +28,9 @@ public:
   };
 
   /// Lays out `pairs` (sorted), where the grains came by `stretch` and the
-  /// motion in `rows`, with the memories of those
-  /// that have one (sorted, too, with `more` numbers of the laws' own; memories
-  /// of other pairs are left out).
+  /// motion in `rows`, with the memories of those that have one (sorted,
+  /// too, with `more` numbers of the laws' own; memories of other pairs are
+  /// left out).
   void lay_out(const CellLaws &laws,
                std::span<const NearPair> pairs,
                std::span<const double> radius,

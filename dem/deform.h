@@ -23,7 +23,7 @@ enum class Method {
 };
 
 /// In what numbers the sweep computes. Mixed: forces in single precision from
-/// displacements since the pairs were listed, places in double.
+/// displacements since the last step or commit, places in double.
 enum class Precision { double_precision, mixed };
 
 /// How the sweep computes.

@@ -2,6 +2,7 @@
 #ifndef dem_grains_h
 #define dem_grains_h
 
+#include <cassert>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -24,6 +25,7 @@ static_assert(sizeof(GrainRow<double>) == 128);
 template <class T>
 std::uint32_t row_offset(std::size_t grain)
 {
+  assert(grain <= UINT32_MAX / sizeof(GrainRow<T>));
   return std::uint32_t(grain * sizeof(GrainRow<T>));
 }
 template <class T>

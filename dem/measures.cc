@@ -188,24 +188,21 @@ CellMeasures measure(const UnitCell &cell)
   return result;
 }
 
-namespace
-{
-ContactEnergy contact_energy(const UnitCell &cell)
-{
-  ContactEnergy energy;
-  for_each_contact(
-      cell, [&](const Visited &visited) { add_energy(energy, visited); });
-  return energy;
-}
-} // namespace
-
 double elastic_energy(const UnitCell &cell)
 {
-  return contact_energy(cell).elastic;
+  ContactEnergy energy;
+  for_each_contact(cell, [&](const Visited &visited) {
+    add_energy(energy, visited);
+    energy.elastic += held_in_springs(visited);
+  });
+  return energy.elastic;
 }
 
 double plastic_loss(const UnitCell &cell)
 {
-  return contact_energy(cell).dissipated;
+  ContactEnergy energy;
+  for_each_contact(
+      cell, [&](const Visited &visited) { add_energy(energy, visited); });
+  return energy.dissipated;
 }
 } // namespace tamp::dem

@@ -33,7 +33,7 @@ public:
   virtual void write_cell() = 0;
 
   /// Time step now: a share of the Rayleigh step and of the stability bound of
-  /// the contacts that touch [s].
+  /// the contacts that touched when the pairs were listed or touch now [s].
   virtual double time_step() const = 0;
   /// Cauchy stress of the contacts, tension positive, not symmetrised [Pa].
   virtual Matrix3 stress() const = 0;

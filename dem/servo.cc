@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <dem/cell_laws.h>
 #include <dem/growing_motion.h>
 #include <dem/servo.h>
 #include <dem/servo_gain.h>
@@ -23,6 +24,7 @@ CellAnswer servo_to_pressure(UnitCell &cell,
                              const Arithmetic &arithmetic)
 {
   Positive{}(goal.pressure, "pressure of the servo");
+  CellLaws(cell).check(cell);
   const double near = goal.accuracy * goal.pressure;
   ServoGain gain(settings.strain_rate);
   const auto motion = start_growing_motion(cell, settings, arithmetic);

@@ -7,6 +7,7 @@
 #include <dem/kernel/kernel.h>
 #include <dem/kernel/loops.h>
 #include <dem/kernel/pair_loops.h>
+#include <dem/kernel/scatter_loops.h>
 
 #include <utility>
 #include <variant>

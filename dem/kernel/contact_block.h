@@ -9,8 +9,8 @@ namespace tamp::dem
 {
 /// Sixteen pairs as the sweep sees them: what is constant while the list of
 /// pairs stands, then the memory of the grains and of their contact. The same
-/// on every instruction set, so that the order of sums never depends on the
-/// width of a register.
+/// on every instruction set, so that files and the order in which forces are
+/// added to a grain never depend on the width of a register.
 template <class T>
 struct alignas(64) ContactBlock {
   static constexpr std::size_t lanes = 16;
@@ -18,11 +18,12 @@ struct alignas(64) ContactBlock {
   T radius_sum[lanes];                       ///< R_i + R_j [m]
   T inverse_sum[lanes];                      ///< 1 / (R_i + R_j) [1/m]
   T reduced_radius[lanes];                   ///< R* [m]
-  T branch_x[lanes], branch_y[lanes], branch_z[lanes]; ///< [m]
-  T overlap[lanes];                                    ///< [m]
-  T force_x[lanes], force_y[lanes], force_z[lanes];    ///< tangential [N]
-  T largest_overlap[lanes];                            ///< [m]
-  T contact_radius[lanes];                             ///< [m]
+  T branch_x[lanes], branch_y[lanes],
+      branch_z[lanes]; ///< when the memory was written [m]
+  T overlap[lanes];    ///< [m]
+  T force_x[lanes], force_y[lanes], force_z[lanes]; ///< tangential [N]
+  T largest_overlap[lanes];                         ///< [m]
+  T contact_radius[lanes];                          ///< [m]
 };
 
 /// A hundred and twenty-eight contacts on their way through the loops of a

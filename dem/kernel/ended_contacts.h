@@ -52,7 +52,7 @@ template <class T, class Law>
         end_of(law,
                {before.radius_sum[at],
                 before.reduced_radius[at],
-                chunk.radius_difference[k],
+                Law::more > 0 ? chunk.radius_difference[k] : T(0), // MDR's
                 0},
                {before.largest_overlap[at], before.contact_radius[at], more},
                chunk.overlap[k],

@@ -16,7 +16,7 @@ struct alignas(64) RelaxingGrain {
   double position[8]; ///< since the start of the increment [m]
   double velocity[8]; ///< per unit of the step [m]
   double listed[8];   ///< position when the pairs were listed; 0 from 4 on [m]
-  /// 1 / mass of translation, 1 / radius [1/m], 1 / mass of rotation, 0.
+  /// 1 / mass of translation, 0, 1 / mass of rotation, 0.
   double mobility[8];
 };
 

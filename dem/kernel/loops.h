@@ -1,4 +1,4 @@
-// Less |branch| - |old|, withoutSPDX-License-Identifier: BSD-3-Clause
+// SPDX|branch| - |old|, withoutSPDX-License-Identifier: BSD-3-Clause
 #ifndef dem_kernel_loops_h
 #define dem_kernel_loops_h
 
@@ -45,6 +45,25 @@ multiply_add(const P (&matrix)[9], const Triple<P> &v, const Triple<P> &w)
   return {row(0, w.x), row(3, w.y), row(6, w.z)};
 }
 
+/// The overlap now: R_i + R_j less the distance; in single precision the old
+/// one less the growth of the branch, without cancellation.
+/// @param sum  of the old branch and the new
+template <class T>
+Pack<T> overlap_of(const ContactBlock<T> &block,
+                   std::size_t lane,
+                   const Triple<Pack<T>> &sum,
+                   const Triple<Pack<T>> &change,
+                   const Pack<T> &distance)
+{
+  const Pack<T> radii = Pack<T>::load(block.radius_sum + lane);
+  if constexpr (std::is_same_v<T, float>) {
+    const Pack<T> before = Pack<T>::load(block.overlap + lane);
+    return before - dot(sum, change) / (distance + (radii - before));
+  } else {
+    return radii - distance;
+  }
+}
+
 /// Geometry and relative motion of all pairs of a chunk, and what the laws of
 /// some pairs want to know of the two grains.
 template <class T, bool with_grains>
@@ -71,16 +90,7 @@ void gather(const GrainRow<T> *rows,
           multiply_add(growth, old, {motion[0], motion[1], motion[2]});
       const Triple<P> branch = old + change;
       const P distance = sqrt(dot(branch, branch));
-      const P sum = P::load(block.radius_sum + lane);
-      P overlap;
-      if constexpr (std::is_same_v<T, float>) {
-        // Less |branch| - |old|, without cancellation.
-        const P before = P::load(block.overlap + lane);
-        overlap =
-            before - dot(old + branch, change) / (distance + (sum - before));
-      } else {
-        overlap = sum - distance;
-      }
+      const P overlap = overlap_of(block, lane, old + branch, change, distance);
       const Triple<P> n = (P(1.0) / distance) * branch;
       const P inverse_sum = P::load(block.inverse_sum + lane);
       const P arm = distance * inverse_sum;
@@ -254,71 +264,6 @@ void rub(const void *constants,
   totals.lost_work += sum(lost);
 }
 
-/// Adds the forces and torques of a chunk to the grains.
-template <class T, bool damped>
-void scatter(const ChunkOfBlocks<T> &contacts,
-             const Chunk<T> &chunk,
-             GrainRow<T> *rows)
-{
-  using P = Pack<T>;
-  for (std::size_t b = 0; b < contacts.blocks; ++b)
-    for (std::size_t lane = 0; lane < lanes<T>; lane += P::size) {
-      const std::size_t k = b * lanes<T> + lane;
-      const ContactBlock<T> &block = contacts.after[b];
-      const Triple<P> n =
-          load(chunk.normal_x, chunk.normal_y, chunk.normal_z, k);
-      const Triple<P> t =
-          damped ? load(chunk.rub_x, chunk.rub_y, chunk.rub_z, k)
-                 : load(block.force_x, block.force_y, block.force_z, lane);
-      const Triple<P> force = subtract_product(t, P::load(chunk.force + k), n);
-      const Triple<P> torque = P::load(chunk.arm + k) * cross(n, t);
-      const Columns<T> columns = {force.x,
-                                  force.y,
-                                  force.z,
-                                  P(0.0),
-                                  torque.x,
-                                  torque.y,
-                                  torque.z,
-                                  P(0.0)};
-      Transpose<T, P::size>::add_forces(columns,
-                                        contacts.before[b].first + lane,
-                                        contacts.before[b].second + lane,
-                                        rows);
-    }
-}
-
-/// Adds the products of force and branch of a chunk to nine sums.
-template <class T, bool damped>
-void add_stress(const ChunkOfBlocks<T> &contacts,
-                const Chunk<T> &chunk,
-                double *sums)
-{
-  using P = Pack<T>;
-  P sum_of[9];
-  for (P &value : sum_of)
-    value = P(0.0);
-  for (std::size_t b = 0; b < contacts.blocks; ++b)
-    for (std::size_t lane = 0; lane < lanes<T>; lane += P::size) {
-      const std::size_t k = b * lanes<T> + lane;
-      const Triple<P> n =
-          load(chunk.normal_x, chunk.normal_y, chunk.normal_z, k);
-      const ContactBlock<T> &block = contacts.after[b];
-      const Triple<P> t =
-          damped ? load(chunk.rub_x, chunk.rub_y, chunk.rub_z, k)
-                 : load(block.force_x, block.force_y, block.force_z, lane);
-      const P distance = P::load(chunk.arm + k) *
-                         P::load(contacts.before[b].radius_sum + lane);
-      const Triple<P> f = P::load(chunk.force + k) * n - t;
-      const Triple<P> l = distance * n;
-      const P force[3] = {f.x, f.y, f.z}, branch[3] = {l.x, l.y, l.z};
-      for (int a = 0; a < 3; ++a)
-        for (int c = 0; c < 3; ++c)
-          sum_of[3 * a + c] =
-              multiply_add(force[a], branch[c], sum_of[3 * a + c]);
-    }
-  for (int k = 0; k < 9; ++k)
-    sums[k] += double(sum(sum_of[k]));
-}
 } // namespace tamp::dem::HWY_NAMESPACE
 
 #endif

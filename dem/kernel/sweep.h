@@ -48,13 +48,14 @@ struct AffineMotion {
 struct SweepRequest {
   Memory memory = Memory::frozen;
   bool moment = false; ///< whether SweepTotals::moment is wanted
-  /// Whether the loops over grains have taken the forces out of the rows.
+  /// Whether the loops over grains have taken the forces out of the rows, so
+  /// that all are zero.
   bool forces_taken = false;
 };
 
 /// One pass over all pairs: contact forces and torques from the motions of the
-/// grains. Forces in the rows are overwritten. The only hot loop of the room;
-/// it does not allocate.
+/// grains. Forces in the rows are overwritten, or added to where they were
+/// taken. The only hot loop of the room; it does not allocate.
 template <class T>
 SweepTotals sweep(InstructionSet set,
                   const CellLaws &laws,
