@@ -69,6 +69,21 @@ PackingRequest small_request(const ContactModel &contact)
   return request;
 }
 
+TEST(EnergyLedger, ElasticEnergyCountsAllSpringsOfAContact)
+{
+  UnitCell cell =
+      make_packing(small_request({.normal_law = NormalLaw::hertz,
+                                  .rolling_law = RollingLaw::epsd,
+                                  .friction_coefficient = 0.5,
+                                  .rolling_friction_coefficient = 0.5}));
+  deform(cell, test::uniaxial(-0.01), {});
+  const double all = elastic_energy(cell);
+  EXPECT_DOUBLE_EQ(all, measure(cell).elastic_energy);
+  for (ContactMemory &contact : cell.contacts)
+    contact.tangential_force.setZero();
+  EXPECT_LT(elastic_energy(cell), 0.999 * all);
+}
+
 TEST(EnergyLedger, ClosesWithRollingResistance)
 {
   // Much less than what the rolling springs hold, a hundredth of the work.

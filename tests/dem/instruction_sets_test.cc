@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <dem/measures.h>
 #include <tests/dem/moving_cell.h>
 #include <tests/dem/sample_cells.h>
 
@@ -215,6 +216,28 @@ TEST(InstructionSets, DeformReachesTheSameStress)
         stress_after_five_thousandths({Precision::mixed, set});
     EXPECT_LT((in_float - wanted).norm(), mixed * wanted.norm());
   }
+}
+
+TEST(InstructionSets, SlowMotionIsNotLostInSinglePrecision)
+{
+  // Steps of 2e-8 of strain are below the last place of a branch in single
+  // precision: without new branches from the places 7 % of the rise are lost.
+  const auto rise = [](Precision precision) {
+    UnitCell cell = test::alumina_cell();
+    const double before = love_weber_stress(cell)(1, 1);
+    Driving driving;
+    driving.method = Method::dynamics;
+    driving.arithmetic.precision = precision;
+    driving.dynamics.strain_rate = 1e-7;
+    UnitCell trial = cell;
+    const auto steps = test::compress(trial, -2e-5, 1, driving).evaluations;
+    driving.dynamics.strain_rate *= 2e-8 * double(steps) / 2e-5;
+    const CellAnswer answer = test::compress(cell, -1e-3, 1, driving);
+    EXPECT_GT(answer.evaluations, 40000u);
+    return love_weber_stress(cell)(1, 1) - before;
+  };
+  EXPECT_NEAR(
+      rise(Precision::mixed) / rise(Precision::double_precision), 1, 2e-3);
 }
 } // namespace
 } // namespace tamp::dem
