@@ -22,7 +22,7 @@ run() {
     -q --no-plots "${settings[@]}"
 }
 plain="Contact/Work of adhesion = 0"
-for law in hertz thornton-ning storakers; do
+for law in hertz thornton-ning storakers mdr; do
   run "$law" "Contact/Normal law = $law" "$plain"
 done
 for law in jkr thornton-ning-jkr; do
@@ -47,11 +47,12 @@ set linetype 2 linecolor rgb "#d1495b"
 set linetype 3 linecolor rgb "#edae49"
 set linetype 4 linecolor rgb "#3b8132"
 set linetype 5 linecolor rgb "#7b4b94"
+set linetype 6 linecolor rgb "#666666"
 set key noenhanced left top Left reverse
 set multiplot layout 1,2
 set xlabel "overlap [nm]"
 set ylabel "normal force [{/Symbol m}N]"
-plot for [law in "hertz thornton-ning jkr thornton-ning-jkr storakers"] \
+plot for [law in "hertz thornton-ning jkr thornton-ning-jkr storakers mdr"] \
   law."/curve.csv" using (column("overlap[m]") * 1e9):(column("normal_force[N]") * 1e6) with lines linewidth 2 title law
 set xlabel "slip [nm]"
 set ylabel "tangential force [{/Symbol m}N]"
