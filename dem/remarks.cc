@@ -161,12 +161,12 @@ judge(const UnitCell &cell, const Driving &driving, double pressure)
   std::vector<Remark> remarks;
   if (const double density = cell.relative_density();
       density > densest_of_pairs && cell.contact.normal_law != NormalLaw::mdr)
-    remarks.push_back(
-        remark({Kind::beyond_pair_laws, density, densest_of_pairs},
-               "the relative density is ",
-               "; above ",
-               " contact laws of pairs lose accuracy and real powder is "
-               "stiffer; press less far or take a continuum law"));
+    remarks.push_back(remark(
+        {Kind::beyond_pair_laws, density, densest_of_pairs},
+        "the relative density is ",
+        "; above ",
+        " contact laws of pairs lose accuracy and real powder is "
+        "stiffer; press less far, or take the law mdr or a continuum law"));
   if (driving.method == Method::dynamics)
     if (const double number =
             measure_dynamics(cell, driving.dynamics, pressure).inertial_number;
