@@ -16,8 +16,8 @@ namespace
 // dynamics: 1000 grains, mu .3, p_y 0.5 GPa, mean of two samples. Here the
 // means of the first three seeds are compared, as one seed may lie outside:
 // over eight seeds the density at 100 kPa is .5925 +- .0012, the axial stress
-// at 10 % is 17.7 +- 0.4 MPa. Other tolerances are the scatter of single samples
-// there.
+// at 10 % is 17.7 +- 0.4 MPa. Other tolerances are the scatter of single
+// samples there.
 struct State {
   double density = 0, axial = 0, lateral_share = 0, coordination = 0,
          plastic_share = 0;
