@@ -20,15 +20,6 @@ const std::vector<std::string> tangential_laws{
     "none", "mindlin", "mindlin-deresiewicz"};
 const std::vector<std::string> rolling_laws{"none", "epsd"};
 
-template <class Choice>
-Choice chosen(const ParameterTable &table,
-              const std::string &path,
-              const std::vector<std::string> &choices)
-{
-  return static_cast<Choice>(std::distance(
-      choices.begin(), std::ranges::find(choices, table.word(path))));
-}
-
 const std::vector<std::string> partners{"grain", "wall", "rigid wall"};
 // In the order of their places.
 const std::vector<std::string> coordinates{"overlap",

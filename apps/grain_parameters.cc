@@ -20,15 +20,6 @@ const std::vector<std::string> compressions{"isotropic", "uniaxial"};
 const std::vector<std::string> targets{"pressure", "relative density"};
 const std::vector<std::string> methods{"quasi-static", "dynamics"};
 
-template <class Choice>
-Choice chosen(const ParameterTable &table,
-              const std::string &path,
-              const std::vector<std::string> &choices)
-{
-  return static_cast<Choice>(std::distance(
-      choices.begin(), std::ranges::find(choices, table.word(path))));
-}
-
 constexpr const char *second = "Second species";
 
 // The sizes and the solid of one kind of grains, in the section entered last.

@@ -4,8 +4,10 @@
 
 #include <apps/units.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <iosfwd>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <string>
@@ -115,6 +117,16 @@ private:
   struct Implementation;
   std::unique_ptr<Implementation> implementation_;
 };
+
+/// The choice of a word: `choices` are in the order of the enumeration.
+template <class Choice>
+Choice chosen(const ParameterTable &table,
+              const std::string &path,
+              const std::vector<std::string> &choices)
+{
+  return static_cast<Choice>(std::distance(
+      choices.begin(), std::ranges::find(choices, table.word(path))));
+}
 } // namespace tamp::apps
 
 #endif

@@ -3,6 +3,7 @@
 #include <dem/unit_cell.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace tamp::dem
@@ -17,15 +18,21 @@ CellLaws::CellLaws(const UnitCell &cell) : species_(cell.species)
 
 void CellLaws::check(const UnitCell &cell) const
 {
-  constexpr double none = std::numeric_limits<double>::infinity();
-  std::vector<double> smallest(cell.materials.size(), none);
-  for (std::size_t i = 0; i < cell.size(); ++i) {
-    double &radius = smallest[species_.empty() ? 0 : species_[i]];
-    radius = std::min(radius, cell.radius[i]);
-  }
+  const std::vector<double> smallest = smallest_radii(cell);
   for (std::size_t b = 0, kind = 0; b < smallest.size(); ++b)
     for (std::size_t a = 0; a <= b; ++a, ++kind)
-      if (smallest[a] < none && smallest[b] < none)
+      if (std::isfinite(smallest[a] + smallest[b]))
         check_size(laws_[kind], 1 / (1 / smallest[a] + 1 / smallest[b]));
+}
+
+std::vector<double> smallest_radii(const UnitCell &cell)
+{
+  std::vector<double> smallest(cell.materials.size(),
+                               std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i < cell.size(); ++i) {
+    double &radius = smallest[cell.species.empty() ? 0 : cell.species[i]];
+    radius = std::min(radius, cell.radius[i]);
+  }
+  return smallest;
 }
 } // namespace tamp::dem

@@ -46,6 +46,9 @@ private:
   std::vector<PairLaws> laws_;
   std::vector<std::uint8_t> species_;
 };
+/// The smallest radius of the grains of each material of a cell; infinite for a
+/// material without any [m].
+std::vector<double> smallest_radii(const UnitCell &cell);
 } // namespace tamp::dem
 
 #endif

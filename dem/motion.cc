@@ -73,7 +73,6 @@ private:
   double contact_damping_ = 0;       // beta of the contacts [-]
   double plastic_loss_ = 0; // of the listed contacts, booked already [J]
   TimeStep step_{};
-  Matrix3 step_stretch_ = Matrix3::Identity();
   Matrix3 step_back_ = Matrix3::Identity();
   AffineMotion affine_;
   double approached_ = 0; // of unlisted pairs, since the pairs were listed [m]
@@ -88,8 +87,7 @@ MotionIn<T>::MotionIn(UnitCell &cell,
     : cell_(cell), fraction_(settings.time_step_fraction),
       rayleigh_(std::numeric_limits<double>::infinity()),
       loops_(kernel_of(arithmetic.instruction_set).loops<T>().grains),
-      layout_(cell, arithmetic.instruction_set), grains_(cell.size()),
-      listed_(cell.place), affine_{}
+      layout_(cell, arithmetic.instruction_set), grains_(cell.size())
 {
   cell_.velocity.resize(cell_.size(), Vector3::Zero());
   cell_.spin.resize(cell_.size(), Vector3::Zero());
@@ -269,13 +267,11 @@ bool MotionIn<T>::advance(const Matrix3 &log_stretch,
 {
   const Matrix3 first_box = cell_.box.h;
   const Matrix3 part = log_stretch / double(steps);
-  step_stretch_ = exponential(part);
+  affine_.stretch = exponential(part);
   step_back_ = exponential(-part);
   step_.length = time_step;
-  for (int k = 0; k < 9; ++k) {
-    step_.stretch[k] = step_stretch_(k / 3, k % 3);
-  }
-  affine_.stretch = step_stretch_;
+  for (int k = 0; k < 9; ++k)
+    step_.stretch[k] = affine_.stretch(k / 3, k % 3);
   affine_.time = time_step;
   read_velocities();
   half_kick(true);
@@ -296,7 +292,7 @@ bool MotionIn<T>::advance(const Matrix3 &log_stretch,
         step % exact_boxes == 0 || step == steps
             ? exponential(log_stretch * (double(step) / double(steps))) *
                   first_box
-            : step_stretch_ * cell_.box.h;
+            : affine_.stretch * cell_.box.h;
     renew_pairs(2 * time_step * std::sqrt(sums.fastest2) + affine_approach);
     const bool look = step % steps_between_looks == 0 || step == steps;
     totals_ = layout_.sweep(affine_, {Memory::written, look, true});

@@ -46,12 +46,10 @@ void PairContact::push(double overlap)
   std::vector<double> before = more_;
   const NormalMemory<double> old = memory(before);
   NormalMemory<double> now = memory(more_);
-  const EndedContact ended = std::visit(
-      [&](const auto &law) {
-        forces_.push = law(overlap, shape_, now);
-        return end_of(law, shape_, old, overlap, forces_.push.contact_radius);
-      },
-      laws_.normal);
+  forces_.push = std::visit(
+      [&](const auto &law) { return law(overlap, shape_, now); }, laws_.normal);
+  const EndedContact ended =
+      end_of(laws_.normal, shape_, old, overlap, forces_.push.contact_radius);
   losses_.adhesion += ended.adhesion;
   losses_.plastic += ended.forgotten;
   old_radius_ = contact_radius_;

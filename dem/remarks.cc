@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <dem/cell_laws.h>
 #include <dem/dynamics.h>
 #include <dem/remarks.h>
 #include <dem/unit_cell.h>
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <sstream>
 
@@ -78,18 +78,6 @@ double radius_of_adhesion(const ContactModel &model,
              ? std::cbrt(4.5 * std::numbers::pi * model.work_of_adhesion /
                          (pair.effective_modulus * reduced_radius))
              : 0;
-}
-
-/// The smallest radius of the grains of each material; infinite without any.
-std::vector<double> smallest_radii(const UnitCell &cell)
-{
-  std::vector<double> smallest(cell.materials.size(),
-                               std::numeric_limits<double>::infinity());
-  for (std::size_t i = 0; i < cell.size(); ++i) {
-    double &radius = smallest[cell.species.empty() ? 0 : cell.species[i]];
-    radius = std::min(radius, cell.radius[i]);
-  }
-  return smallest;
 }
 
 /// Of each kind the worst over the pairs of materials that there are.

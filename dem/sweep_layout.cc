@@ -20,7 +20,6 @@ SweepLayout<T>::SweepLayout(const UnitCell &cell, InstructionSet set)
       skin_(outer_skin * cell.mean_radius()), rows_(cell.size())
 {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
-    rows_[i] = {};
     rows_[i].motion[3] = T(radius_[i]);
     rows_[i].motion[7] = T(1 / cell.mass(i));
   }

@@ -3,6 +3,7 @@
 #define dem_kernel_all_loops_h
 
 #include <dem/kernel/extra_loops.h>
+#include <dem/kernel/gather_loop.h>
 #include <dem/kernel/grain_loops.h>
 #include <dem/kernel/kernel.h>
 #include <dem/kernel/loops.h>

@@ -3,6 +3,7 @@
 #define dem_kernel_extra_loops_h
 
 #include <dem/kernel/loops.h>
+#include <dem/kernel/transpose.h>
 
 // The loops of laws that most cells do without: contact damping, resistance to
 // rolling.

@@ -38,7 +38,8 @@ struct RelaxationMove {
 /// A grain that moves in time.
 struct alignas(64) MovingGrain {
   double velocity[8]; ///< fluctuation, 0, radius x spin, 0 [m/s]
-  double moved[8];    ///< since the pairs were listed, less the box [m]
+  /// Since the pairs were listed, less the box; only the first three [m].
+  double moved[8];
   // Of translation and of radius x spin:
   double damping[2]; ///< force per velocity [kg/s]
   double gain[2];    ///< velocity gained per force in a step [s/kg]

@@ -129,8 +129,8 @@ private:
   }
 };
 
-/// A 3 x 3 matrix that acts on the first three numbers of a row and leaves the
-/// last four.
+/// A 3 x 3 matrix that acts on the first three numbers of a row. The others
+/// become zero.
 class RowMatrix
 {
 public:
@@ -141,20 +141,17 @@ public:
           matrix[c], matrix[3 + c], matrix[6 + c], 0, 0, 0, 0, 0};
       column_[c] = RowPack::load(column);
     }
-    alignas(64) static constexpr double last[8] = {0, 0, 0, 0, 1, 1, 1, 1};
-    rest_ = RowPack::load(last);
   }
   RowPack times(const RowPack &row) const
   {
     alignas(64) double n[8];
     row.store(n);
-    const RowPack sum = multiply_add(column_[0], RowPack(n[0]), rest_ * row);
-    return multiply_add(column_[1], RowPack(n[1]), sum) +
+    return multiply_add(column_[1], RowPack(n[1]), column_[0] * RowPack(n[0])) +
            column_[2] * RowPack(n[2]);
   }
 
 private:
-  RowPack column_[3], rest_;
+  RowPack column_[3];
 };
 } // namespace tamp::dem::HWY_NAMESPACE
 

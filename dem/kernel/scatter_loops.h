@@ -3,6 +3,7 @@
 #define dem_kernel_scatter_loops_h
 
 #include <dem/kernel/loops.h>
+#include <dem/kernel/transpose.h>
 
 // From the forces of a chunk to the grains and the stress, for the instruction
 // set that the file including this is compiled for.

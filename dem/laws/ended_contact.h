@@ -2,7 +2,7 @@
 #ifndef dem_laws_ended_contact_h
 #define dem_laws_ended_contact_h
 
-#include <dem/laws/pair_law.h>
+#include <dem/laws/pair_laws.h>
 
 namespace tamp::dem
 {
@@ -14,11 +14,10 @@ struct EndedContact {
                         ///< goes: no later measure of the contact counts it
 };
 
-/// What an increment of a normal law of dem/laws/pair_laws.h has ended.
+/// What an increment of a normal law has ended.
 /// @param old  memory before it; the law's own numbers may be written over
 /// @param overlap, contact_radius  after it [m]
-template <class Law>
-EndedContact end_of(const Law &law,
+EndedContact end_of(const AnyNormalLaw &law,
                     const PairShape<double> &pair,
                     NormalMemory<double> old,
                     double overlap,

@@ -5,6 +5,7 @@
 #include <dem/measures.h>
 #include <dem/random_start.h>
 #include <tests/coupling/sample_cells.h>
+#include <tests/dem/sample_cells.h>
 
 #include <cmath>
 #include <filesystem>
@@ -17,6 +18,7 @@ namespace tamp::coupling
 {
 namespace
 {
+using dem::test::message_of;
 namespace fs = std::filesystem;
 using test::granules;
 using test::growing_cell;
@@ -65,17 +67,6 @@ dem::UnitCell busy_cell()
   cell.species.assign(cell.size(), 0);
   cell.species[3] = 1;
   return cell;
-}
-
-template <class Exception, class Call>
-std::string message_of(Call &&call)
-{
-  try {
-    call();
-  } catch (const Exception &error) {
-    return error.what();
-  }
-  return "";
 }
 
 std::string refusal(const fs::path &file)
