@@ -2,25 +2,13 @@
 #ifndef fem_die_settings_h
 #define fem_die_settings_h
 
+#include <fem/die_geometry.h>
+
 #include <string>
 #include <vector>
 
 namespace tamp::fem
 {
-/// A cylindrical die, axisymmetric: r in [0, radius], z in [0, fill_height].
-struct DieGeometry {
-  double radius = 6e-3;      ///< [m]
-  double fill_height = 7e-3; ///< of the powder at the start [m]
-  unsigned radial_elements = 4;
-  unsigned axial_elements = 7;
-  /// A mesh of quadrilaterals (gmsh .msh) with the physical names axis,
-  /// die_wall, punch_top, punch_bottom; empty: built in. Radius and height are
-  /// then read off it.
-  std::string mesh_file;
-
-  void check() const;
-};
-
 enum class StageKind { press, unload, eject, hold };
 enum class StageTarget {
   density,      ///< mean relative density [-]
