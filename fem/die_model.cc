@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fem/die_mesh_data.h>
 #include <fem/die_model.h>
 #include <fem/equilibrium.h>
 #include <fem/field_output.h>
+#include <fem/press.h>
 #include <fem/schedule.h>
 #include <fem/stop_watch.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace tamp::fem
@@ -22,80 +23,120 @@ struct Densities {
   double mean = 0, minimum = 0, maximum = 0;
 };
 
-Densities densities(const DieMesh::Data &mesh, const CompactState &state)
+Densities densities(const Compact &compact)
 {
-  Densities result;
-  result.minimum = result.maximum = state.responses.front().relative_density;
-  double mass = 0, volume = 0;
-  for (std::size_t point = 0; point < state.responses.size(); ++point) {
-    const double density = state.responses[point].relative_density;
-    const double part = point_geometry(mesh, state.positions, point).volume;
-    mass += density * part;
-    volume += part;
-    result.minimum = std::min(result.minimum, density);
-    result.maximum = std::max(result.maximum, density);
+  const auto &responses = compact.state().responses;
+  double smallest = std::numeric_limits<double>::infinity(), largest = 0;
+  std::vector<double> sums{0, 0}; // mass, volume
+  for (std::size_t i = 0; i < responses.size(); ++i) {
+    const double density = responses[i].relative_density;
+    const double volume = compact.geometry()[i].volume;
+    sums[0] += density * volume;
+    sums[1] += volume;
+    smallest = std::min(smallest, density);
+    largest = std::max(largest, density);
   }
-  result.mean = mass / volume;
+  compact.ranks().sum(sums);
+  return {sums[0] / sums[1],
+          -compact.ranks().largest(-smallest),
+          compact.ranks().largest(largest)};
+}
+
+/// Area of a tool's faces, seen along the pressing axis [m2].
+double projected_area(const Mesh &mesh, Tool tool)
+{
+  const auto &faces = mesh.tools[tool].faces;
+  double area = 0;
+  for (std::size_t i = 0; i < faces.size(); i += mesh.nodes_per_face()) {
+    const auto corner = [&](unsigned a) { return mesh.nodes[faces[i + a]]; };
+    if (mesh.is_axisymmetric())
+      area += std::numbers::pi * std::abs(corner(1)[0] * corner(1)[0] -
+                                          corner(0)[0] * corner(0)[0]);
+    else
+      area += 0.5 * std::abs(dealii::cross_product_3d(
+                        corner(3) - corner(0), corner(2) - corner(1))[2]);
+  }
+  return area * mesh.multiplicity();
+}
+
+struct Extent {
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  double radius = 0;
+};
+
+Extent extent(const NodePositions &positions)
+{
+  Extent result;
+  for (const auto &x : positions) {
+    result.low = std::min(result.low, x[2]);
+    result.high = std::max(result.high, x[2]);
+    result.radius = std::max(result.radius, std::hypot(x[0], x[1]));
+  }
   return result;
 }
 } // namespace
 
 struct DieModel::Implementation {
   DieSettings settings;
-  const DieMesh::Data &mesh;
+  const Mesh &mesh;
   StageBegins stage_begins;
+  Press press;
   Equilibrium equilibrium;
+  double area; ///< of the upper punch [m2]
+  Extent start;
   Schedule schedule;
   StepRecord record;
   Failure failure;
-  PressState press;
-  Displacement last_increment; ///< of the phase; empty: none yet
+  PressState state;
+  Increment last_increment; ///< of the phase; empty: none yet
   double last_driving = 0;
   unsigned last_phase = 0;
   double seconds = 0;
 
   Implementation(const DieSettings &chosen,
-                 const DieMesh::Data &data,
+                 const Mesh &data,
                  MaterialPoints &points,
-                 StageBegins begins)
+                 StageBegins begins,
+                 const Ranks &ranks)
       : settings(chosen), mesh(data), stage_begins(std::move(begins)),
-        equilibrium(data,
-                    points,
-                    chosen.wall_friction_coefficient,
-                    chosen.solver,
-                    largest_concentration * chosen.steps.maximum),
-        schedule(chosen.stages, chosen.steps, data.top)
+        press(data,
+              {make_tools(chosen.geometry, data), chosen.friction},
+              points,
+              chosen.solver,
+              ranks),
+        equilibrium(
+            press, chosen.solver, largest_concentration * chosen.steps.maximum),
+        area(projected_area(data, upper_punch)), start(extent(data.nodes)),
+        schedule(chosen.stages, chosen.steps, start.high)
   {
     observe();
-  }
-
-  double punch_area() const
-  {
-    return std::numbers::pi * mesh.radius * mesh.radius;
   }
 
   /// Reads the accepted state into the record and the schedule's view.
   void observe()
   {
-    const CompactState &state = equilibrium.state();
-    const double top = state.positions[mesh.punch_top.front()][1];
-    const double bottom = state.positions[mesh.punch_bottom.front()][1];
-    const Densities density = densities(mesh, state);
-    press.top = top;
-    press.height = top - bottom;
-    press.upper_displacement = mesh.top - top;
-    press.lower_displacement = bottom - mesh.bottom;
-    press.upper_force = state.forces.upper;
-    press.peak_force = std::max(press.peak_force, state.forces.upper);
-    press.mean_density = density.mean;
-    record.upper_displacement = press.upper_displacement;
-    record.lower_displacement = press.lower_displacement;
-    record.upper_force = state.forces.upper;
-    record.lower_force = state.forces.lower;
-    record.wall_friction_force = state.forces.wall_friction;
-    record.wall_normal_force = state.forces.wall_normal;
-    record.wall_area = 2 * std::numbers::pi * mesh.radius * press.height;
-    record.punch_area = punch_area();
+    const ToolForces &forces = press.forces();
+    const double whole = mesh.multiplicity();
+    const Densities density = densities(press.compact());
+    const Extent now = extent(press.compact().state().positions);
+    state.top = start.high + press.tools()[upper_punch];
+    state.height = state.top - start.low - press.tools()[lower_punch];
+    state.upper_displacement = -press.tools()[upper_punch];
+    state.lower_displacement = press.tools()[lower_punch];
+    state.upper_force = -whole * forces[upper_punch].force[2];
+    state.peak_force = std::max(state.peak_force, state.upper_force);
+    state.mean_density = density.mean;
+    record.upper_displacement = state.upper_displacement;
+    record.lower_displacement = state.lower_displacement;
+    record.upper_force = state.upper_force;
+    record.lower_force = whole * forces[lower_punch].force[2];
+    record.wall_friction_force =
+        whole * (forces[die_wall].force[2] + forces[core_rod].force[2]);
+    record.wall_normal_force = whole * forces[die_wall].normal;
+    record.wall_area = whole * forces[die_wall].area;
+    record.punch_area = area;
+    record.compact_height = now.high - now.low;
+    record.compact_radius = now.radius;
     record.mean_relative_density = density.mean;
     record.minimum_relative_density = density.minimum;
     record.maximum_relative_density = density.maximum;
@@ -103,34 +144,47 @@ struct DieModel::Implementation {
 
   /// First guess of the increment: the last one of the phase, scaled; a uniform
   /// strain if there is none.
-  Displacement guess(const Proposal &proposal) const
+  Increment guess(const Proposal &proposal) const
   {
-    Displacement increment(mesh.number_of_dofs(), 0.);
+    Increment increment(number_of_unknowns(mesh), 0.);
     if (!last_increment.empty() && last_phase == schedule.phase() &&
         last_driving > 0) {
       const double scale = proposal.driving / last_driving;
-      for (std::size_t dof = 0; dof < increment.size(); ++dof)
-        increment[dof] = scale * last_increment[dof];
+      for (std::size_t i = 0; i < increment.size(); ++i)
+        increment[i] = scale * last_increment[i];
       return increment;
     }
-    const auto &positions = equilibrium.state().positions;
-    const double bottom = press.top - press.height;
+    const auto &positions = press.compact().state().positions;
+    const Extent now = extent(positions);
     for (std::size_t node = 0; node < positions.size(); ++node) {
-      const double share = (positions[node][1] - bottom) / press.height;
-      increment[2 * node + 1] =
-          (1 - share) * proposal.motion.lower + share * proposal.motion.upper;
+      const double share =
+          (positions[node][2] - now.low) / (now.high - now.low);
+      increment[mesh.axial_dof(node)] =
+          (1 - share) * proposal.motion[lower_punch].displacement +
+          share * proposal.motion[upper_punch].displacement;
     }
     return increment;
   }
 
   void remember_failure(const Attempt &attempt, const std::string &reason)
   {
-    const CompactState &state = equilibrium.state();
+    const Compact &compact = press.compact();
     failure.reason = reason;
     failure.point = attempt.point;
-    failure.position =
-        point_geometry(mesh, state.positions, attempt.point).position;
-    failure.stress = state.responses[attempt.point].stress;
+    std::vector<double> values(9, 0.);
+    if (compact.point_share().holds(attempt.point)) {
+      const std::size_t local = attempt.point - compact.point_share().begin;
+      for (unsigned i = 0; i < 3; ++i)
+        values[i] = compact.geometry()[local].position[i];
+      for (unsigned i = 0; i < 6; ++i)
+        values[3 + i] =
+            compact.state().responses[local].stress.access_raw_entry(i);
+    }
+    compact.ranks().sum(values);
+    for (unsigned i = 0; i < 3; ++i)
+      failure.position[i] = values[i];
+    for (unsigned i = 0; i < 6; ++i)
+      failure.stress.access_raw_entry(i) = values[3 + i];
   }
 
   /// Tries a proposal, shorter and shorter if need be. False if the step gets
@@ -141,15 +195,18 @@ struct DieModel::Implementation {
         settings.solver.guard_against_opening && schedule.presses();
     while (true) {
       attempt = equilibrium.attempt(proposal.motion, guess(proposal), guard);
+      updates += attempt.iterations;
       if (attempt.converged) {
-        const auto loaded =
-            schedule.instead(proposal, press, attempt.forces.upper);
+        const auto loaded = schedule.instead(
+            proposal,
+            state,
+            -mesh.multiplicity() * attempt.forces[upper_punch].force[2]);
         if (!loaded)
           return true;
         proposal = *loaded;
         continue;
       }
-      const auto shorter = schedule.cut(proposal, press);
+      const auto shorter = schedule.cut(proposal, state);
       if (!shorter) {
         remember_failure(attempt,
                          "the step fell below its minimum: " + attempt.reason);
@@ -162,25 +219,25 @@ struct DieModel::Implementation {
 
   bool step(Proposal proposal)
   {
-    const unsigned evaluations = equilibrium.evaluations();
-    const PressState before = press;
+    const PressState before = state;
     Attempt attempt;
     unsigned cuts = 0;
+    updates = 0;
     if (!find_equilibrium(proposal, attempt, cuts))
       return false;
     equilibrium.accept();
     observe();
-    schedule.accept(proposal, before, press, cuts > 0);
+    schedule.accept(proposal, before, state, cuts > 0);
     remember_increment(proposal);
     ++record.step;
     record.stage = schedule.stage();
     record.iterations = attempt.iterations;
-    record.material_updates = equilibrium.evaluations() - evaluations;
+    record.material_updates = updates;
     record.cuts = cuts;
     record.force_residual = attempt.force_residual;
     record.displacement_change = attempt.displacement_change;
     record.doubtful_points = attempt.doubtful_points;
-    record.stage_progress = schedule.progress(press);
+    record.stage_progress = schedule.progress(state);
     return true;
   }
 
@@ -189,35 +246,38 @@ struct DieModel::Implementation {
     last_increment = equilibrium.increment();
     last_phase = schedule.phase();
     // The motion of a loaded punch was only a guess.
-    const bool upper_drives = proposal.motion.lower <= 0;
-    last_driving =
-        upper_drives ? std::abs(last_increment[2 * mesh.punch_top.front() + 1])
-                     : proposal.driving;
+    const bool upper_drives = proposal.motion[lower_punch].displacement <= 0;
+    last_driving = upper_drives
+                       ? std::abs(last_increment[tool_dof(mesh, upper_punch)])
+                       : proposal.driving;
   }
 
   Advance advance()
   {
     while (!schedule.finished()) {
       if (schedule.at_stage_begin()) {
-        schedule.begin_stage(press);
+        schedule.begin_stage(state);
         if (stage_begins)
-          stage_begins(schedule.stage(), press.peak_force / punch_area());
+          stage_begins(schedule.stage(), state.peak_force / area);
       }
-      if (const auto proposal = schedule.propose(press))
+      if (const auto proposal = schedule.propose(state))
         return step(*proposal) ? Advance::stepped : Advance::failed;
     }
     return Advance::finished;
   }
+
+  unsigned updates = 0; ///< evaluations of all points in the current step
 };
 
 DieModel::DieModel(const DieSettings &settings,
-                   const DieMesh &mesh,
+                   const Mesh &mesh,
                    MaterialPoints &points,
-                   StageBegins stage_begins)
+                   StageBegins stage_begins,
+                   const Ranks &ranks)
 {
   settings.check();
   implementation_ = std::make_unique<Implementation>(
-      settings, mesh.data(), points, std::move(stage_begins));
+      settings, mesh, points, std::move(stage_begins), ranks);
 }
 
 DieModel::~DieModel() = default;
@@ -240,42 +300,36 @@ const Failure &DieModel::failure() const
 
 ModelTimes DieModel::times() const
 {
-  const SolverTimes &part = implementation_->equilibrium.times();
+  const PressTimes &part = implementation_->press.times();
   return {part.material,
           part.assembly,
+          part.contact,
           part.linear_solver,
           implementation_->seconds};
 }
 
 const std::vector<Response> &DieModel::responses() const
 {
-  return implementation_->equilibrium.state().responses;
+  return implementation_->press.compact().state().responses;
 }
 
-std::vector<dealii::Tensor<1, 2>> DieModel::point_positions() const
+std::vector<dealii::Tensor<1, 3>> DieModel::point_positions() const
 {
-  const auto &mesh = implementation_->mesh;
-  std::vector<dealii::Tensor<1, 2>> positions;
-  for (std::size_t point = 0; point < mesh.number_of_points(); ++point)
-    positions.push_back(
-        point_geometry(
-            mesh, implementation_->equilibrium.state().positions, point)
-            .position);
+  std::vector<dealii::Tensor<1, 3>> positions;
+  for (const PointGeometry &point : implementation_->press.compact().geometry())
+    positions.push_back(point.position);
   return positions;
 }
 
 const std::vector<dealii::Tensor<2, 3>> &DieModel::deformation_gradients() const
 {
-  return implementation_->equilibrium.state().deformation_gradients;
+  return implementation_->press.compact().state().deformation_gradients;
 }
 
 void DieModel::write_fields(const std::filesystem::path &folder,
                             const std::string &name,
                             const std::vector<PointField> &extra) const
 {
-  write_compact(folder / (name + ".vtu"),
-                implementation_->mesh,
-                implementation_->equilibrium.state(),
-                extra);
+  write_compact(folder / (name + ".vtu"), implementation_->press, extra);
 }
 } // namespace tamp::fem

@@ -2,9 +2,10 @@
 #ifndef fem_die_model_h
 #define fem_die_model_h
 
-#include <fem/die_mesh.h>
 #include <fem/die_settings.h>
 #include <fem/material_points.h>
+#include <fem/mesh.h>
+#include <fem/ranks.h>
 
 #include <filesystem>
 #include <functional>
@@ -26,6 +27,8 @@ struct StepRecord {
   double wall_normal_force = 0;   ///< [N]
   double wall_area = 0;           ///< in contact [m2]
   double punch_area = 0;          ///< [m2]
+  double compact_height = 0;      ///< from its lowest to its highest node [m]
+  double compact_radius = 0;      ///< largest distance from the axis [m]
   double mean_relative_density = 0;
   double minimum_relative_density = 0;
   double maximum_relative_density = 0;
@@ -44,7 +47,7 @@ struct StepRecord {
 struct Failure {
   std::string reason;
   std::size_t point = 0;
-  dealii::Tensor<1, 2> position;        ///< (r, z) [m]
+  dealii::Tensor<1, 3> position;        ///< y = 0 if axisymmetric [m]
   dealii::SymmetricTensor<2, 3> stress; ///< tension positive [Pa]
 };
 
@@ -58,12 +61,12 @@ struct PointField {
 
 /// Seconds spent since the start, by part.
 struct ModelTimes {
-  double material = 0, assembly = 0, linear_solver = 0, total = 0;
+  double material = 0, assembly = 0, contact = 0, linear_solver = 0, total = 0;
 };
 
-/// A compact in a die, pressed, unloaded and ejected step by step. Axisymmetric
-/// four-node quadrilaterals, updated Lagrangian; rigid tools. Knows nothing of
-/// what its material points are.
+/// A compact in a die, pressed, unloaded and ejected step by step: updated
+/// Lagrangian, rigid tools with friction. Knows nothing of what its material
+/// points are.
 class DieModel
 {
 public:
@@ -75,10 +78,12 @@ public:
   /// The material points must be at the state of the start: their stress may be
   /// anything; the first step finds equilibrium. Throws std::invalid_argument
   /// if sizes do not match. Mesh and points must outlive the model.
+  /// @param points  of this rank's share of the mesh, see Ranks::share().
   DieModel(const DieSettings &settings,
-           const DieMesh &mesh,
+           const Mesh &mesh,
            MaterialPoints &points,
-           StageBegins stage_begins = {});
+           StageBegins stage_begins = {},
+           const Ranks &ranks = Ranks());
   ~DieModel();
 
   /// Does one step of the schedule, cutting it as often as needed, and says
@@ -92,10 +97,10 @@ public:
   const Failure &failure() const;
   ModelTimes times() const;
 
-  /// Responses of the committed state, one per point.
+  /// Responses of the committed state, one per point of this rank.
   const std::vector<Response> &responses() const;
-  /// (r, z) of every point in the committed state [m].
-  std::vector<dealii::Tensor<1, 2>> point_positions() const;
+  /// Places of the points in the committed state; y = 0 if axisymmetric [m].
+  std::vector<dealii::Tensor<1, 3>> point_positions() const;
   /// F since the start of every point: the product of relative_F.
   const std::vector<dealii::Tensor<2, 3>> &deformation_gradients() const;
 

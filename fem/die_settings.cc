@@ -69,10 +69,11 @@ void DieGeometry::check() const
 void DieSettings::check() const
 {
   geometry.check();
-  require(wall_friction_coefficient >= 0,
-          "wall friction coefficient",
-          wall_friction_coefficient,
-          ">= 0");
+  for (const FrictionCoefficient &coefficient : friction)
+    require(coefficient.table.smallest() >= 0,
+            "friction coefficient",
+            coefficient.table.smallest(),
+            ">= 0");
   require(steps.first > 0, "first step", steps.first, "> 0");
   require(steps.maximum > 0 && steps.maximum < 0.5,
           "maximum step",

@@ -3,7 +3,10 @@
 #define fem_die_settings_h
 
 #include <fem/die_geometry.h>
+#include <fem/friction.h>
+#include <fem/linear_solver.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -57,11 +60,17 @@ struct SolverSettings {
   /// Reject steps in which a point loses most of its pressure or opens while
   /// the punch presses: zero stress is an equilibrium, too.
   bool guard_against_opening = false;
+  bool f_bar = false; ///< free of locking near full density, see Compact
+  LinearSettings linear;
 };
 
 struct DieSettings {
   DieGeometry geometry;
-  double wall_friction_coefficient = 0.2;
+  std::array<FrictionCoefficient, number_of_tools> friction{
+      FrictionCoefficient(0),
+      FrictionCoefficient(0),
+      FrictionCoefficient(0.2),
+      FrictionCoefficient(0.2)};
   std::vector<Stage> stages;
   StepLimits steps;
   SolverSettings solver;

@@ -2,46 +2,47 @@
 #ifndef fem_kinematics_h
 #define fem_kinematics_h
 
-#include <fem/die_mesh_data.h>
+#include <fem/element.h>
 #include <fem/material_points.h>
+#include <fem/mesh.h>
 
 #include <array>
+#include <span>
 #include <vector>
 
 namespace tamp::fem
 {
-/// Positions of all nodes (r, z) [m].
-using NodePositions = std::vector<dealii::Tensor<1, 2>>;
+/// Positions of all nodes [m].
+using NodePositions = std::vector<dealii::Tensor<1, 3>>;
 
-/// Displacement of all degrees of freedom, 2 n + component [m].
-using Displacement = std::vector<double>;
-
-/// A material point of a cell in a given geometry.
+/// A place of a cell in a given geometry.
 struct PointGeometry {
-  std::array<double, 4> value;                  ///< shape functions [-]
-  std::array<dealii::Tensor<1, 2>, 4> gradient; ///< d N / d (r, z) [1/m]
-  dealii::Tensor<1, 2> position;                ///< (r, z) [m]
-  double volume = 0; ///< of the full ring, 2 pi r dA [m3]; <= 0: inverted
+  std::array<double, 8> value;                  ///< shape functions [-]
+  std::array<dealii::Tensor<1, 3>, 8> gradient; ///< d N / d x [1/m]
+  dealii::Tensor<1, 3> position;                ///< [m]
+  double volume = 0; ///< of the point, of the full ring if axisymmetric [m3];
+                     ///< <= 0: inverted
 };
 
-/// Geometry of material point `point` if the nodes are at `positions`.
-PointGeometry point_geometry(const DieMesh::Data &mesh,
-                             const NodePositions &positions,
-                             std::size_t point);
+/// Geometry of a cell's place if the nodes are at `positions`.
+/// @param nodes  of the cell.
+PointGeometry point_geometry(const Mesh &mesh,
+                             const ShapeValues &shape,
+                             const unsigned *nodes,
+                             const NodePositions &positions);
 
-/// Positions of the nodes moved by a displacement.
-NodePositions moved(const NodePositions &positions,
-                    const Displacement &displacement);
+/// Gradient of a displacement at a place. Axisymmetric: with the hoop strain in
+/// the axes (r, theta, z). @param displacement  of all degrees of freedom [m].
+dealii::Tensor<2, 3>
+displacement_gradient(const Mesh &mesh,
+                      const PointGeometry &geometry,
+                      const unsigned *nodes,
+                      std::span<const double> displacement);
 
-/// Relative deformation gradient of every point, in the axes (r, theta, z), for
-/// an increment of displacement from `committed` on.
-void relative_deformations(const DieMesh::Data &mesh,
-                           const NodePositions &committed,
-                           const Displacement &increment,
-                           std::vector<Deformation> &deformations);
-
-/// Largest component of relative_F - I over all points [-].
-double largest_strain(const std::vector<Deformation> &deformations);
+/// Positions of the nodes moved by a displacement of all degrees of freedom.
+NodePositions moved(const Mesh &mesh,
+                    const NodePositions &positions,
+                    std::span<const double> displacement);
 } // namespace tamp::fem
 
 #endif

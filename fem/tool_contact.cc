@@ -1,304 +1,243 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fem/assembler.h>
 #include <fem/tool_contact.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <numbers>
 
 namespace tamp::fem
 {
-struct ToolContact::System {
-  std::vector<int> unknown; ///< of each degree of freedom; -1: prescribed
-  SparseRows matrix;
-  std::unique_ptr<LinearSolver> solver;
-  /// Contacts the factors were made for; empty: no factors.
-  std::vector<WallContact> factored;
-
-  System(const DieMesh::Data &mesh, bool upper_is_loaded);
-};
-
 namespace
 {
-std::vector<int> number_unknowns(const DieMesh::Data &mesh,
-                                 bool upper_is_loaded)
+using Vector = dealii::Tensor<1, 3>;
+using Matrix = dealii::Tensor<2, 3>;
+
+/// Stiffness of the contact over that of the powder at the node. The larger,
+/// the smaller are penetration and elastic slip; the system of equations
+/// becomes ill-conditioned by as much.
+constexpr double normal_stiffness = 1e4;
+/// Of sticking friction. Softer: stick and slip then meet in few iterations.
+constexpr double stick_stiffness = 10;
+/// Nodes of soft powder count as this share of the stiffest.
+constexpr double smallest_stiffness = 1e-3;
+
+Matrix identity()
 {
-  std::vector<int> unknown(mesh.number_of_dofs(), 0);
-  for (const unsigned node : mesh.axis)
-    unknown[2 * node] = -1;
-  for (const unsigned node : mesh.wall)
-    unknown[2 * node] = -1;
-  for (const unsigned node : mesh.punch_bottom)
-    unknown[2 * node + 1] = -1;
-  for (const unsigned node : mesh.punch_top)
-    unknown[2 * node + 1] = -1;
-  int count = 0;
-  for (int &number : unknown)
-    if (number >= 0)
-      number = count++;
-  if (upper_is_loaded)
-    for (const unsigned node : mesh.punch_top)
-      unknown[2 * node + 1] = count;
-  return unknown;
+  Matrix unit;
+  unit[0][0] = unit[1][1] = unit[2][2] = 1;
+  return unit;
+}
+
+/// Area of a face, of the whole ring if axisymmetric [m2].
+double face_area(const Mesh &mesh,
+                 const unsigned *face,
+                 const NodePositions &positions)
+{
+  if (mesh.is_axisymmetric()) {
+    const Vector &a = positions[face[0]], &b = positions[face[1]];
+    return std::numbers::pi * (a[0] + b[0]) * (b - a).norm();
+  }
+  const Vector diagonal = positions[face[3]] - positions[face[0]];
+  const Vector other = positions[face[2]] - positions[face[1]];
+  return 0.5 * dealii::cross_product_3d(diagonal, other).norm();
 }
 } // namespace
 
-ToolContact::System::System(const DieMesh::Data &mesh, bool upper_is_loaded)
-    : unknown(number_unknowns(mesh, upper_is_loaded))
-{
-  const int count = *std::max_element(unknown.begin(), unknown.end()) + 1;
-  std::vector<std::set<int>> columns(count);
-  const SparseRows full = stiffness_pattern(mesh);
-  for (int row = 0; row < full.size(); ++row)
-    for (int k = full.begin[row]; k < full.begin[row + 1]; ++k)
-      if (unknown[row] >= 0 && unknown[full.column[k]] >= 0)
-        columns[unknown[row]].insert(unknown[full.column[k]]);
-  // A wall node that slips adds the row of its normal force to its vertical
-  // one: the same nodes, but the wall's own r is no unknown, so it is in.
-  matrix = SparseRows(columns);
-  if (count > 0)
-    solver = std::make_unique<LinearSolver>(matrix);
-}
-
-ToolContact::ToolContact(const DieMesh::Data &mesh, double friction_coefficient)
-    : mesh_(mesh), friction_coefficient_(friction_coefficient)
-{
-}
-
-ToolContact::~ToolContact() = default;
-
-ToolContact::System &ToolContact::system() const
-{
-  return motion_.upper_is_loaded ? *loaded_ : *moved_;
-}
-
-void ToolContact::forget_factors()
-{
-  for (const auto *system : {&moved_, &loaded_})
-    if (*system)
-      (*system)->factored.clear();
-}
-
-void ToolContact::begin(const SparseRows &stiffness,
-                        const PunchMotion &motion,
-                        std::span<const double> committed_friction)
-{
-  motion_ = motion;
-  committed_friction_.assign(committed_friction.begin(),
-                             committed_friction.end());
-  auto &system = motion.upper_is_loaded ? loaded_ : moved_;
-  if (!system)
-    system = std::make_unique<System>(mesh_, motion.upper_is_loaded);
-  forget_factors();
-  double largest = 0;
-  stick_stiffness_.clear();
-  for (const unsigned node : mesh_.wall) {
-    const int dof = 2 * static_cast<int>(node) + 1;
-    stick_stiffness_.push_back(3 * std::abs(stiffness.at(dof, dof)));
-    largest = std::max(largest, stick_stiffness_.back());
-  }
-  for (double &value : stick_stiffness_)
-    value = std::max(value, 1e-3 * largest);
-}
-
-void ToolContact::prescribe(const PunchMotion &motion,
-                            Displacement &increment) const
-{
-  for (const unsigned node : mesh_.axis)
-    increment[2 * node] = 0;
-  for (const unsigned node : mesh_.wall)
-    increment[2 * node] = 0;
-  for (const unsigned node : mesh_.punch_bottom)
-    increment[2 * node + 1] = motion.lower;
-  for (const unsigned node : mesh_.punch_top)
-    increment[2 * node + 1] = motion.upper;
-}
-
-ToolForces ToolContact::forces(std::span<const double> internal,
-                               std::span<const double> increment) const
-{
-  ToolForces result;
-  double squares = 0;
-  for (std::size_t i = 0; i < mesh_.wall.size(); ++i) {
-    const unsigned node = mesh_.wall[i];
-    const double normal = -internal[2 * node];
-    result.wall.push_back(wall_friction(committed_friction_[i],
-                                        increment[2 * node + 1],
-                                        stick_stiffness_[i],
-                                        friction_coefficient_ * normal));
-    result.wall_friction += result.wall.back().friction;
-    result.wall_normal += normal;
-    squares += normal * normal;
-  }
-  for (const unsigned node : mesh_.punch_top) {
-    result.upper -= internal[2 * node + 1];
-    squares += internal[2 * node + 1] * internal[2 * node + 1];
-  }
-  for (const unsigned node : mesh_.punch_bottom) {
-    result.lower += internal[2 * node + 1];
-    squares += internal[2 * node + 1] * internal[2 * node + 1];
-  }
-  // The wall's friction on a corner node is no force of the punch.
-  result.upper += result.wall.back().friction;
-  result.lower -= result.wall.front().friction;
-  result.reactions = std::sqrt(squares);
-  return result;
-}
-
-std::vector<double> ToolContact::imbalance(std::span<const double> internal,
-                                           const ToolForces &forces) const
-{
-  const System &unknowns = system();
-  std::vector<double> result(internal.begin(), internal.end());
-  for (std::size_t i = 0; i < mesh_.wall.size(); ++i)
-    result[2 * mesh_.wall[i] + 1] -= forces.wall[i].friction;
-  for (const unsigned node : mesh_.punch_top)
-    result[2 * node + 1] = 0;
-  for (std::size_t dof = 0; dof < result.size(); ++dof)
-    if (unknowns.unknown[dof] < 0)
-      result[dof] = 0;
-  if (motion_.upper_is_loaded)
-    result[2 * mesh_.punch_top.front() + 1] =
-        motion_.upper_force - forces.upper;
-  return result;
-}
-
-void ToolContact::fill(const SparseRows &stiffness,
-                       const std::vector<WallForce> &wall,
-                       System &unknowns) const
-{
-  SparseRows &matrix = unknowns.matrix;
-  std::fill(matrix.value.begin(), matrix.value.end(), 0.);
-  const auto add_row = [&](int to, int from, double factor) {
-    for (int k = stiffness.begin[from]; k < stiffness.begin[from + 1]; ++k) {
-      const int column = unknowns.unknown[stiffness.column[k]];
-      if (column >= 0)
-        matrix.at(to, column) += factor * stiffness.value[k];
-    }
-  };
-  for (int dof = 0; dof < stiffness.size(); ++dof)
-    if (unknowns.unknown[dof] >= 0)
-      add_row(unknowns.unknown[dof], dof, 1);
-  for (std::size_t i = 0; i < wall.size(); ++i) {
-    const int normal = 2 * static_cast<int>(mesh_.wall[i]);
-    const int row = unknowns.unknown[normal + 1];
-    if (row < 0)
-      continue;
-    if (wall[i].contact == WallContact::stick)
-      matrix.at(row, row) += stick_stiffness_[i];
-    else if (wall[i].contact == WallContact::slips_down)
-      add_row(row, normal, friction_coefficient_);
-    else if (wall[i].contact == WallContact::slips_up)
-      add_row(row, normal, -friction_coefficient_);
-  }
-}
-
-bool ToolContact::prepare(const SparseRows &stiffness,
-                          const std::vector<WallForce> &wall,
-                          System &unknowns)
-{
-  std::vector<WallContact> contacts;
-  for (const WallForce &force : wall)
-    contacts.push_back(force.contact);
-  if (contacts == unknowns.factored)
-    return true;
-  unknowns.factored.clear();
-  fill(stiffness, wall, unknowns);
-  if (!unknowns.solver->factorise(unknowns.matrix.value))
-    return false;
-  unknowns.factored = contacts;
-  return true;
-}
-
-/// Forces and what is left of them after a change of the increment, if the
-/// powder answers linearly.
-struct ToolContact::Balance {
-  std::vector<double> change, internal;
-  ToolForces tools;
-  std::vector<double> right; ///< minus the imbalance of the unknowns [N]
-  double rest = 0;           ///< its norm [N]
+/// How a node approaches a tool.
+struct ToolContact::Approach {
+  SurfacePoint surface;
+  double normal = 0; ///< force [N]
+  Vector motion;     ///< of the node relative to the tool since the start [m]
+  Vector trial;      ///< friction if it sticks [N]
+  double limit = 0;  ///< of the friction [N]
+  double limit_slope = 0; ///< d limit / d normal [-]
 };
 
-ToolContact::Balance ToolContact::after(const std::vector<double> &change,
-                                        const std::vector<double> &internal,
-                                        std::span<const double> increment) const
+ToolContact::ToolContact(const Mesh &mesh, const Tools &tools)
+    : mesh_(mesh), tools_(tools)
 {
-  const System &unknowns = system();
-  Balance result;
-  result.change = change;
-  result.internal = internal;
-  std::vector<double> total(change);
-  for (std::size_t dof = 0; dof < total.size(); ++dof)
-    total[dof] += increment[dof];
-  result.tools = forces(internal, total);
-  const auto rest = imbalance(internal, result.tools);
-  result.right.assign(unknowns.matrix.size(), 0.);
-  double squares = 0;
-  for (std::size_t dof = 0; dof < total.size(); ++dof)
-    if (unknowns.unknown[dof] >= 0) {
-      result.right[unknowns.unknown[dof]] -= rest[dof];
-      squares += rest[dof] * rest[dof];
+  for (unsigned tool = 0; tool < number_of_tools; ++tool)
+    if (tools.surfaces[tool])
+      for (const unsigned node : mesh.tools[tool].nodes)
+        pairs_.push_back({node, static_cast<Tool>(tool)});
+  for (std::size_t i = 0; i < pairs_.size(); ++i)
+    pairs_of_node_[pairs_[i].node].push_back(i);
+  accepted_.resize(pairs_.size());
+  multipliers_.assign(pairs_.size(), 0.);
+  stiffness_.assign(pairs_.size(), 0.);
+  densities_.assign(pairs_.size(), 0.);
+  update_areas(mesh.nodes);
+}
+
+void ToolContact::update_areas(const NodePositions &positions)
+{
+  areas_.clear();
+  for (unsigned tool = 0; tool < number_of_tools; ++tool) {
+    if (!tools_.surfaces[tool])
+      continue;
+    const Mesh::Contact &contact = mesh_.tools[tool];
+    std::map<unsigned, double> share;
+    const unsigned n = mesh_.nodes_per_face();
+    for (std::size_t i = 0; i < contact.faces.size(); i += n) {
+      const double area = face_area(mesh_, &contact.faces[i], positions);
+      for (unsigned a = 0; a < n; ++a)
+        share[contact.faces[i + a]] += area / n;
     }
-  result.rest = std::sqrt(squares);
+    for (const unsigned node : contact.nodes)
+      areas_.push_back(share[node]);
+  }
+}
+
+void ToolContact::begin(std::span<const double> node_stiffness,
+                        const NodePositions &positions,
+                        const ToolPositions &tools,
+                        std::span<const double> densities)
+{
+  begin_positions_ = positions;
+  begin_tools_ = tools;
+  double largest = 0;
+  for (const ContactPair &pair : pairs_)
+    largest = std::max(largest, node_stiffness[pair.node]);
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    stiffness_[i] =
+        std::max(node_stiffness[pairs_[i].node], smallest_stiffness * largest);
+    densities_[i] = densities[pairs_[i].node];
+    multipliers_[i] = accepted_[i].normal;
+  }
+}
+
+ToolContact::Approach ToolContact::approach(std::size_t pair,
+                                            const NodePositions &positions,
+                                            const ToolPositions &tools) const
+{
+  const auto [node, tool] = pairs_[pair];
+  Vector place = positions[node];
+  place[2] -= tools[tool];
+  Approach result;
+  result.surface = tools_.surfaces[tool]->nearest(place);
+  result.normal = multipliers_[pair] -
+                  normal_stiffness * stiffness_[pair] * result.surface.distance;
+  if (!(result.normal > 0))
+    return result;
+  Vector before = begin_positions_[node];
+  before[2] -= begin_tools_[tool];
+  result.motion = place - before;
+  const Vector force = accepted_[pair].friction -
+                       stick_stiffness * stiffness_[pair] * result.motion;
+  const Vector &n = result.surface.normal;
+  result.trial = force - (force * n) * n;
+  const double pressure = areas_[pair] > 0 ? result.normal / areas_[pair] : 0;
+  const auto mu = tools_.friction[tool].at(densities_[pair], pressure);
+  result.limit = mu.value * result.normal;
+  result.limit_slope = mu.value + mu.slope * pressure;
   return result;
 }
 
-ToolContact::Balance ToolContact::along(const Balance &now,
-                                        const std::vector<double> &step,
-                                        const SparseRows &stiffness,
-                                        std::span<const double> increment,
-                                        bool search) const
+PairForce ToolContact::force(std::size_t pair,
+                             const NodePositions &positions,
+                             const ToolPositions &tools) const
 {
-  constexpr double shortest = 1. / 256;
-  const std::vector<double> force = multiply(stiffness, step);
-  double length = 1;
-  while (true) {
-    std::vector<double> change = now.change, internal = now.internal;
-    for (std::size_t dof = 0; dof < change.size(); ++dof) {
-      change[dof] += length * step[dof];
-      internal[dof] += length * force[dof];
-    }
-    Balance next = after(change, internal, increment);
-    if (!search || next.rest < (1 - 1e-4 * length) * now.rest ||
-        length <= shortest)
-      return next;
-    length *= 0.5;
-  }
+  const Approach now = approach(pair, positions, tools);
+  if (!(now.normal > 0))
+    return {};
+  const FrictionForce friction = coulomb_friction(now.trial, now.limit);
+  const Vector &n = now.surface.normal;
+  PairForce result;
+  result.status = friction.status;
+  result.normal = now.normal;
+  result.penetration = -now.surface.distance;
+  result.friction = friction.force;
+  result.force = now.normal * n + friction.force;
+  result.slip = (now.motion - (now.motion * n) * n).norm();
+  return result;
 }
 
-std::vector<double> ToolContact::balance(const SparseRows &stiffness,
-                                         std::span<const double> internal,
-                                         std::span<const double> increment,
-                                         double smallest_reference)
+std::vector<PairForce> ToolContact::forces(const NodePositions &positions,
+                                           const ToolPositions &tools) const
 {
-  // Full steps find stick and slip in a few iterations. If they alternate for
-  // ever, which a bad tangent can cause, only steps that help are taken, and
-  // the best balance found is used if it is much better than none.
-  constexpr unsigned most = 40, full_steps = 10;
-  constexpr double tolerance = 1e-9, useful = 0.5;
-  System &unknowns = system();
-  const std::size_t size = increment.size();
-  Balance now = after(std::vector<double>(size, 0.),
-                      {internal.begin(), internal.end()},
-                      increment);
-  if (!unknowns.solver)
-    return now.change; // every node is held by a tool
-  Balance best = now;
-  const double first_rest = now.rest;
-  std::vector<double> solution(now.right.size()), step(size, 0.);
-  for (unsigned iteration = 0; iteration < most; ++iteration) {
-    if (!prepare(stiffness, now.tools.wall, unknowns) ||
-        !unknowns.solver->solve(now.right, solution))
-      return {};
-    for (std::size_t dof = 0; dof < size; ++dof)
-      if (unknowns.unknown[dof] >= 0)
-        step[dof] = solution[unknowns.unknown[dof]];
-    now = along(now, step, stiffness, increment, iteration >= full_steps);
-    if (now.rest <=
-        tolerance * std::max(now.tools.reactions, smallest_reference))
-      return now.change;
-    if (now.rest < best.rest)
-      best = now;
+  std::vector<PairForce> result;
+  for (std::size_t i = 0; i < pairs_.size(); ++i)
+    result.push_back(force(i, positions, tools));
+  return result;
+}
+
+Matrix ToolContact::stiffness(std::size_t pair,
+                              const PairForce &force,
+                              const NodePositions &positions,
+                              const ToolPositions &tools) const
+{
+  if (force.status == ContactStatus::open)
+    return {};
+  const Approach now = approach(pair, positions, tools);
+  const Vector &n = now.surface.normal;
+  const Matrix H(now.surface.normal_gradient);
+  const double epsilon = normal_stiffness * stiffness_[pair];
+  const double stick = stick_stiffness * stiffness_[pair];
+  const Matrix nn = dealii::outer_product(n, n);
+  // - d (N n), - d trial with trial = (I - n n) (T_n - k motion)
+  const Matrix normal = epsilon * nn - now.normal * H;
+  const Vector pull = accepted_[pair].friction - stick * now.motion;
+  const Matrix trial = stick * (identity() - nn) + (n * pull) * H +
+                       dealii::outer_product(n, H * pull);
+  if (force.status == ContactStatus::stick)
+    return normal + trial;
+  if (!(now.limit > 0))
+    return normal;
+  const double size = now.trial.norm();
+  const Vector t = now.trial / size;
+  return normal + epsilon * now.limit_slope * dealii::outer_product(t, n) +
+         (now.limit / size) *
+             ((identity() - dealii::outer_product(t, t)) * trial);
+}
+
+void ToolContact::augment(std::span<const PairForce> forces)
+{
+  for (std::size_t i = 0; i < pairs_.size(); ++i)
+    multipliers_[i] = forces[i].normal;
+}
+
+void ToolContact::take_reactions(std::span<const double> internal,
+                                 const NodePositions &positions,
+                                 const ToolPositions &tools)
+{
+  // Tools that meet at a node depend on each other through their friction.
+  constexpr unsigned sweeps = 3;
+  std::vector<PairForce> now = forces(positions, tools);
+  for (unsigned sweep = 0; sweep < sweeps; ++sweep)
+    for (const auto &[node, pairs] : pairs_of_node_)
+      for (const std::size_t i : pairs) {
+        if (now[i].status == ContactStatus::open)
+          continue;
+        Vector rest;
+        for (unsigned c = 0; c < mesh_.components(); ++c)
+          rest[mesh_.axis(c)] = internal[mesh_.dof(node, c)];
+        for (const std::size_t j : pairs)
+          if (j != i)
+            rest -= now[j].force;
+        const Vector n = (now[i].force - now[i].friction) / now[i].normal;
+        multipliers_[i] += std::max(rest * n, 0.) - now[i].normal;
+        now[i] = force(i, positions, tools);
+      }
+}
+
+void ToolContact::accept(std::span<const PairForce> forces,
+                         const NodePositions &positions)
+{
+  accepted_.assign(forces.begin(), forces.end());
+  update_areas(positions);
+}
+
+ToolForces ToolContact::sums(std::span<const PairForce> forces) const
+{
+  ToolForces result;
+  for (std::size_t i = 0; i < pairs_.size(); ++i) {
+    ToolForce &tool = result[pairs_[i].tool];
+    tool.force += forces[i].force;
+    tool.normal += forces[i].normal;
+    if (forces[i].status != ContactStatus::open)
+      tool.area += areas_[i];
   }
-  return best.rest < useful * first_rest ? best.change : std::vector<double>();
+  return result;
 }
 } // namespace tamp::fem

@@ -2,104 +2,132 @@
 #ifndef fem_tool_contact_h
 #define fem_tool_contact_h
 
-#include <fem/die_mesh_data.h>
+#include <fem/friction.h>
 #include <fem/kinematics.h>
-#include <fem/linear_solver.h>
-#include <fem/sparse_rows.h>
-#include <fem/wall_friction.h>
+#include <fem/tool_surface.h>
 
-#include <memory>
+#include <deal.II/base/tensor.h>
+
+#include <array>
+#include <map>
 #include <span>
 #include <vector>
 
 namespace tamp::fem
 {
-/// How the punches move during an increment. The lower punch is always moved;
-/// the upper one is moved or loaded.
-struct PunchMotion {
-  bool upper_is_loaded = false;
-  /// Of the upper punch, upwards [m]; a first guess if it is loaded.
-  double upper = 0;
-  double upper_force = 0; ///< on a loaded upper punch, compressive [N]
-  double lower = 0;       ///< of the lower punch, upwards [m]
+/// The rigid tools: their surfaces at the start and their friction.
+struct Tools {
+  ToolSurfaces surfaces;
+  std::array<FrictionCoefficient, number_of_tools> friction;
 };
 
-/// Forces between powder and tools.
-struct ToolForces {
-  double upper = 0;            ///< powder on upper punch, upwards [N]
-  double lower = 0;            ///< lower punch on powder, upwards [N]
-  double wall_friction = 0;    ///< wall on powder, upwards [N]
-  double wall_normal = 0;      ///< wall on powder, inwards [N]
-  double reactions = 0;        ///< norm of all nodal reactions [N]
-  std::vector<WallForce> wall; ///< per wall node
+/// Displacement of each tool along z since the start [m].
+using ToolPositions = std::array<double, number_of_tools>;
+
+/// Forces of a tool, of the mesh's part of the compact.
+struct ToolForce {
+  dealii::Tensor<1, 3> force; ///< of the tool on the powder [N]
+  double normal = 0;          ///< sum of the nodes' normal forces [N]
+  double area = 0;            ///< of the nodes in contact [m2]
+};
+using ToolForces = std::array<ToolForce, number_of_tools>;
+
+/// A node and a tool that it may touch.
+struct ContactPair {
+  unsigned node = 0;
+  Tool tool = die_wall;
 };
 
-/// The rigid tools: a die wall with Coulomb friction, whose nodes stay at the
-/// wall, two flat frictionless punches, and the axis. The nodes of the upper
-/// punch share one vertical displacement, an unknown if the punch is loaded.
+/// What a pair does in a trial.
+struct PairForce {
+  ContactStatus status = ContactStatus::open;
+  double normal = 0;             ///< N, compressive [N]
+  double penetration = 0;        ///< [m]; meaningless if open
+  dealii::Tensor<1, 3> friction; ///< of the tool on the powder [N]
+  dealii::Tensor<1, 3> force;    ///< N n + friction [N]
+  double slip = 0;               ///< tangential, in the increment [m]
+};
+
+/// Frictional contact of the powder's nodes with the rigid tools. Normal
+/// contact by an augmented Lagrangian: N = max(0, lambda - epsilon d) with the
+/// distance d to the tool, the stiffness epsilon taken from that of the powder,
+/// and the multiplier lambda, which takes over what N was: at the next step, or
+/// within a step with augment(). Friction by return mapping. A node that leaves
+/// a tool is free.
+/// Source: J. C. Simo and T. A. Laursen (1992), An augmented Lagrangian
+/// treatment of contact problems involving friction.
 class ToolContact
 {
 public:
   /// @param mesh  must outlive the object.
-  ToolContact(const DieMesh::Data &mesh, double friction_coefficient);
-  ~ToolContact();
+  ToolContact(const Mesh &mesh, const Tools &tools);
 
-  /// Begins an increment. @param stiffness  of the powder, from which the
-  /// stiffness of sticking contact is taken, three times the node's own [N/m].
-  /// @param committed_friction  per wall node [N].
-  void begin(const SparseRows &stiffness,
-             const PunchMotion &motion,
-             std::span<const double> committed_friction);
+  const std::vector<ContactPair> &pairs() const { return pairs_; }
 
-  /// Sets the degrees of freedom that the tools prescribe.
-  void prescribe(const PunchMotion &motion, Displacement &increment) const;
+  /// Begins an increment from the accepted state.
+  /// @param node_stiffness  mean diagonal entry of each node's stiffness [N/m]
+  /// @param positions       accepted, of nodes
+  /// @param tools           accepted, of tools
+  /// @param densities       relative, of the powder at each node [-]
+  void begin(std::span<const double> node_stiffness,
+             const NodePositions &positions,
+             const ToolPositions &tools,
+             std::span<const double> densities);
 
-  /// Forces for these internal forces and this increment.
-  ToolForces forces(std::span<const double> internal,
-                    std::span<const double> increment) const;
+  /// Forces for these trial positions.
+  std::vector<PairForce> forces(const NodePositions &positions,
+                                const ToolPositions &tools) const;
 
-  /// Unbalanced force of every degree of freedom that is free [N]; zero where
-  /// a tool prescribes the displacement. The balance of a loaded upper punch
-  /// stands at its first node.
-  std::vector<double> imbalance(std::span<const double> internal,
-                                const ToolForces &forces) const;
+  /// The derivative of minus a pair's force by the node's position [N/m], as of
+  /// the last forces() for the same positions; by the tool's: its negative.
+  dealii::Tensor<2, 3> stiffness(std::size_t pair,
+                                 const PairForce &force,
+                                 const NodePositions &positions,
+                                 const ToolPositions &tools) const;
 
-  /// Balances powder and tools if the powder answers linearly: internal force +
-  /// stiffness x change. A semi-smooth Newton iteration over stick and slip,
-  /// to 1e-9 of the reactions, or as far as it goes. Returns the change of the
-  /// increment; empty if no balance was found.
-  std::vector<double> balance(const SparseRows &stiffness,
-                              std::span<const double> internal,
-                              std::span<const double> increment,
-                              double smallest_reference);
+  /// Multipliers become the normal forces: penetrations fall by the ratio of
+  /// the stiffnesses of powder and contact.
+  void augment(std::span<const PairForce> forces);
 
-  /// The powder's stiffness has changed: old factors are of no use.
-  void forget_factors();
+  /// Multipliers become what balances the normal parts of the internal forces,
+  /// as far as that is compressive: the reactions of exact contact. For
+  /// iterates that lie on the tools. @param internal  forces of all degrees of
+  /// freedom [N]
+  void take_reactions(std::span<const double> internal,
+                      const NodePositions &positions,
+                      const ToolPositions &tools);
+
+  /// Forces and positions are those of the accepted state.
+  void accept(std::span<const PairForce> forces,
+              const NodePositions &positions);
+
+  /// Forces of the accepted state.
+  const std::vector<PairForce> &accepted() const { return accepted_; }
+  /// Area of the powder's surface that belongs to a pair, accepted [m2].
+  double area(std::size_t pair) const { return areas_[pair]; }
+
+  /// Sums over the nodes of each tool.
+  ToolForces sums(std::span<const PairForce> forces) const;
 
 private:
-  struct System; ///< the unknowns of one kind of control and their solver
-  struct Balance;
-  System &system() const;
-  Balance after(const std::vector<double> &change,
-                const std::vector<double> &internal,
-                std::span<const double> increment) const;
-  Balance along(const Balance &now,
-                const std::vector<double> &step,
-                const SparseRows &stiffness,
-                std::span<const double> increment,
-                bool search) const;
-  void fill(const SparseRows &stiffness,
-            const std::vector<WallForce> &wall,
-            System &system) const;
-  bool prepare(const SparseRows &stiffness,
-               const std::vector<WallForce> &wall,
-               System &system);
+  struct Approach;
+  Approach approach(std::size_t pair,
+                    const NodePositions &positions,
+                    const ToolPositions &tools) const;
+  PairForce force(std::size_t pair,
+                  const NodePositions &positions,
+                  const ToolPositions &tools) const;
+  void update_areas(const NodePositions &positions);
 
-  const DieMesh::Data &mesh_;
-  double friction_coefficient_;
-  PunchMotion motion_;
-  std::vector<double> committed_friction_, stick_stiffness_;
-  std::unique_ptr<System> moved_, loaded_;
+  const Mesh &mesh_;
+  Tools tools_;
+  std::vector<ContactPair> pairs_;
+  std::vector<PairForce> accepted_;
+  std::vector<double> multipliers_, stiffness_, areas_, densities_;
+  NodePositions begin_positions_;
+  ToolPositions begin_tools_{};
+  /// Pairs of each node that has any.
+  std::map<unsigned, std::vector<std::size_t>> pairs_of_node_;
 };
 } // namespace tamp::fem
 

@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fem/press.h>
+#include <fem/stop_watch.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace tamp::fem
+{
+namespace
+{
+/// Residuals are measured against at least this share of the largest reactions
+/// so far: at zero force there is nothing else to compare with.
+constexpr double smallest_reaction = 1e-4;
+
+double reactions(const std::vector<PairForce> &forces)
+{
+  double squares = 0;
+  for (const PairForce &pair : forces)
+    squares += pair.force.norm_square();
+  return std::sqrt(squares);
+}
+} // namespace
+
+Press::Press(const Mesh &mesh,
+             const Tools &tools,
+             MaterialPoints &points,
+             const SolverSettings &settings,
+             const Ranks &ranks)
+    : compact_(mesh, points, ranks, settings.f_bar), contact_(mesh, tools),
+      system_(mesh, compact_.assembler(), settings.linear, ranks),
+      stiffness_(compact_.assembler().pattern())
+{
+  internal_ = compact_.internal_forces();
+  pair_forces_.resize(contact_.pairs().size());
+}
+
+ToolPositions Press::tools_after(std::span<const double> increment) const
+{
+  ToolPositions result = tools_;
+  for (unsigned tool = 0; tool < number_of_tools; ++tool)
+    result[tool] += increment[tool_dof(mesh(), tool)];
+  return result;
+}
+
+std::vector<double> Press::node_stiffness() const
+{
+  std::vector<double> result(mesh().nodes.size(), 0.);
+  for (int row = 0; row < stiffness_.size(); ++row)
+    if (stiffness_.begin[row] < stiffness_.begin[row + 1])
+      result[row / mesh().components()] +=
+          stiffness_.at(row, row) / mesh().components();
+  ranks().sum(result);
+  for (double &value : result)
+    value = std::abs(value);
+  return result;
+}
+
+std::vector<double> Press::node_densities() const
+{
+  const std::size_t nodes = mesh().nodes.size();
+  std::vector<double> sums(2 * nodes, 0.);
+  const auto &responses = compact_.state().responses;
+  for (std::size_t i = 0; i < responses.size(); ++i) {
+    const PointGeometry &g = compact_.geometry()[i];
+    const std::size_t cell =
+        (compact_.point_share().begin + i) / mesh().points_per_cell();
+    for (unsigned a = 0; a < mesh().nodes_per_cell(); ++a) {
+      const unsigned node = mesh().nodes_of_cell(cell)[a];
+      sums[node] += g.value[a] * g.volume * responses[i].relative_density;
+      sums[nodes + node] += g.value[a] * g.volume;
+    }
+  }
+  ranks().sum(sums);
+  for (std::size_t node = 0; node < nodes; ++node)
+    sums[node] /= sums[nodes + node];
+  sums.resize(nodes);
+  return sums;
+}
+
+Fault Press::begin(const Motion &motion, Increment &increment)
+{
+  compact_.begin_attempt();
+  motion_ = motion;
+  for (unsigned tool = 0; tool < number_of_tools; ++tool)
+    loaded_[tool] = motion[tool].loaded;
+  for (const Tool tool : {upper_punch, lower_punch, die_wall})
+    increment[tool_dof(mesh(), tool)] = motion[tool].displacement;
+  increment.back() = 0; // the core has the die's
+  free_ = system_.free_unknowns(loaded_);
+  for (std::size_t dof = 0; dof < mesh().number_of_dofs(); ++dof)
+    if (!free_[dof])
+      increment[dof] = 0;
+  Fault fault;
+  {
+    const StopWatch watch(times_.assembly);
+    fault = compact_.deform(increment);
+  }
+  if (fault.reason.empty()) {
+    const StopWatch watch(times_.material);
+    fault = compact_.evaluate(Want::stress_and_tangent);
+  }
+  if (!fault.reason.empty())
+    return fault;
+  assemble_stiffness();
+  const StopWatch watch(times_.contact);
+  contact_.begin(
+      node_stiffness(), compact_.state().positions, tools_, node_densities());
+  internal_ = compact_.internal_forces();
+  trial_tools_ = tools_after(increment);
+  pair_forces_ = contact_.forces(compact_.trial_positions(), trial_tools_);
+  return fault;
+}
+
+Fault Press::move(const Increment &increment, Want want)
+{
+  Fault fault;
+  {
+    const StopWatch watch(times_.assembly);
+    fault = compact_.deform(increment);
+  }
+  if (fault.reason.empty()) {
+    const StopWatch watch(times_.material);
+    fault = compact_.evaluate(want);
+  }
+  if (!fault.reason.empty())
+    return fault;
+  {
+    const StopWatch watch(times_.assembly);
+    internal_ = compact_.internal_forces();
+  }
+  const StopWatch watch(times_.contact);
+  trial_tools_ = tools_after(increment);
+  pair_forces_ = contact_.forces(compact_.trial_positions(), trial_tools_);
+  return fault;
+}
+
+void Press::assemble_stiffness()
+{
+  const StopWatch watch(times_.assembly);
+  compact_.assemble_stiffness(stiffness_);
+  system_.forget_factors();
+}
+
+std::vector<double>
+Press::imbalance_of(std::span<const double> internal,
+                    const std::vector<PairForce> &forces) const
+{
+  std::vector<double> result(number_of_unknowns(mesh()), 0.);
+  std::copy_n(internal.begin(), mesh().number_of_dofs(), result.begin());
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    const ContactPair &pair = contact_.pairs()[i];
+    for (unsigned c = 0; c < mesh().components(); ++c)
+      result[mesh().dof(pair.node, c)] -= forces[i].force[mesh().axis(c)];
+    result[tool_dof(mesh(), pair.tool)] += forces[i].force[2];
+  }
+  for (const Tool tool : {upper_punch, lower_punch, die_wall})
+    result[tool_dof(mesh(), tool)] +=
+        motion_[tool].force / mesh().multiplicity();
+  for (std::size_t i = 0; i < result.size(); ++i)
+    if (!free_[i])
+      result[i] = 0;
+  return result;
+}
+
+std::vector<double> Press::imbalance() const
+{
+  return imbalance_of(internal_, pair_forces_);
+}
+
+double Press::reference_force() const
+{
+  return std::max({reactions(pair_forces_),
+                   smallest_reaction * peak_reactions_,
+                   std::numeric_limits<double>::min()});
+}
+
+double Press::tool_imbalance() const
+{
+  const ToolForces tools = trial_forces();
+  double sum = 0, largest = std::max(smallest_reaction * peak_reactions_,
+                                     std::numeric_limits<double>::min());
+  for (const ToolForce &tool : tools) {
+    sum += tool.force[2];
+    largest = std::max({largest, std::abs(tool.force[2]), tool.normal});
+  }
+  return std::abs(sum) / largest;
+}
+
+double Press::largest_penetration() const
+{
+  double largest = 0;
+  for (const PairForce &pair : pair_forces_)
+    if (pair.status != ContactStatus::open)
+      largest = std::max(largest, std::abs(pair.penetration));
+  return largest;
+}
+
+std::vector<ContactBlock>
+Press::contact_blocks(const std::vector<PairForce> &forces,
+                      const NodePositions &positions,
+                      const ToolPositions &tools) const
+{
+  std::vector<ContactBlock> blocks;
+  for (std::size_t i = 0; i < forces.size(); ++i)
+    if (forces[i].status != ContactStatus::open)
+      blocks.push_back({contact_.pairs()[i].node,
+                        contact_.pairs()[i].tool,
+                        contact_.stiffness(i, forces[i], positions, tools)});
+  return blocks;
+}
+
+std::vector<double> Press::newton_change(std::span<const double> imbalance)
+{
+  const StopWatch watch(times_.linear_solver);
+  if (!system_.factorise(stiffness_,
+                         contact_blocks(pair_forces_,
+                                        compact_.trial_positions(),
+                                        trial_tools_),
+                         loaded_))
+    return {};
+  std::vector<double> right(imbalance.begin(), imbalance.end());
+  for (double &value : right)
+    value = -value;
+  std::vector<double> change(right.size(), 0.);
+  if (!system_.solve(right, change))
+    return {};
+  return change;
+}
+
+/// Forces and what is left of them after a change of the increment, if the
+/// powder answers linearly.
+struct Press::Balance {
+  std::vector<double> change, internal;
+  NodePositions positions;
+  ToolPositions tools{};
+  std::vector<PairForce> pairs;
+  std::vector<double> right; ///< minus the imbalance [N]
+  double rest = 0;           ///< its norm [N]
+};
+
+Press::Balance Press::balance_after(const std::vector<double> &change,
+                                    std::vector<double> internal,
+                                    const Increment &increment) const
+{
+  Balance result;
+  result.change = change;
+  result.internal = std::move(internal);
+  Increment total(change);
+  for (std::size_t i = 0; i < total.size(); ++i)
+    total[i] += increment[i];
+  result.positions = moved(mesh(), compact_.state().positions, total);
+  result.tools = tools_after(total);
+  result.pairs = contact_.forces(result.positions, result.tools);
+  result.right = imbalance_of(result.internal, result.pairs);
+  double squares = 0;
+  for (double &value : result.right) {
+    squares += value * value;
+    value = -value;
+  }
+  result.rest = std::sqrt(squares);
+  return result;
+}
+
+std::vector<double> Press::balance_tools(const Increment &increment)
+{
+  // Full steps find open, stick and slip in a few iterations. If they alternate
+  // for ever, which a bad tangent can cause, only steps that help are taken,
+  // and the best balance found is used if it is much better than none.
+  constexpr unsigned most = 40, full_steps = 10;
+  constexpr double tolerance = 1e-9, useful = 0.5, shortest = 1. / 256;
+  const StopWatch watch(times_.linear_solver);
+  Balance now = balance_after(
+      std::vector<double>(increment.size(), 0.), internal_, increment);
+  Balance best = now;
+  const double first_rest = now.rest;
+  std::vector<double> step(increment.size(), 0.);
+  for (unsigned iteration = 0; iteration < most; ++iteration) {
+    if (!system_.factorise(stiffness_,
+                           contact_blocks(now.pairs, now.positions, now.tools),
+                           loaded_) ||
+        !system_.solve(now.right, step))
+      return {};
+    const auto force = system_.multiply_powder(stiffness_, step);
+    for (double length = 1;; length *= 0.5) {
+      std::vector<double> change = now.change, internal = now.internal;
+      for (std::size_t i = 0; i < change.size(); ++i)
+        change[i] += length * step[i];
+      for (std::size_t i = 0; i < internal.size(); ++i)
+        internal[i] += length * force[i];
+      Balance next = balance_after(change, std::move(internal), increment);
+      if (iteration < full_steps ||
+          next.rest < (1 - 1e-4 * length) * now.rest || length <= shortest) {
+        now = std::move(next);
+        break;
+      }
+    }
+    if (now.rest < best.rest)
+      best = now;
+    if (now.rest <=
+        tolerance * std::max(reactions(now.pairs), reference_force()))
+      break;
+  }
+  if (!(best.rest <= useful * first_rest) && first_rest > 0)
+    return {};
+  contact_.augment(best.pairs);
+  for (std::size_t i = 0; i < best.pairs.size(); ++i) {
+    if (best.pairs[i].status == ContactStatus::open)
+      continue;
+    const dealii::Tensor<1, 3> out =
+        (best.pairs[i].penetration / best.pairs[i].normal) *
+        (best.pairs[i].force - best.pairs[i].friction);
+    for (unsigned c = 0; c < mesh().components(); ++c) {
+      const std::size_t dof = mesh().dof(contact_.pairs()[i].node, c);
+      if (free_[dof])
+        best.change[dof] += out[mesh().axis(c)];
+    }
+  }
+  return best.change;
+}
+
+void Press::augment()
+{
+  contact_.augment(pair_forces_);
+  pair_forces_ = contact_.forces(compact_.trial_positions(), trial_tools_);
+}
+
+void Press::take_reactions()
+{
+  contact_.take_reactions(internal_, compact_.trial_positions(), trial_tools_);
+  pair_forces_ = contact_.forces(compact_.trial_positions(), trial_tools_);
+}
+
+void Press::accept()
+{
+  compact_.accept();
+  tools_ = trial_tools_;
+  contact_.accept(pair_forces_, compact_.state().positions);
+  forces_ = trial_forces();
+  peak_reactions_ = std::max(peak_reactions_, reactions(pair_forces_));
+}
+} // namespace tamp::fem
