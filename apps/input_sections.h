@@ -20,12 +20,18 @@ void read_material(const ParameterTable &table,
                    coupling::MaterialChoice &material);
 /// @}
 
-/// @name Die, Schedule, Solver
+/// @name Die
 /// @{
-void declare_die(ParameterTable &table);
+void declare_die_shape(ParameterTable &table);
+void read_die_shape(const ParameterTable &table, fem::DieSettings &die);
+/// @}
+
+/// @name Schedule, Solver
+/// @{
+void declare_press(ParameterTable &table);
 /// The kind of material decides what `automatic` means. Returns the number of
 /// the die's material points.
-std::size_t read_die(const ParameterTable &table,
+std::size_t read_press(const ParameterTable &table,
                      coupling::MaterialKind kind,
                      fem::DieSettings &die);
 /// @}

@@ -100,8 +100,10 @@ Fault Compact::agree(Kind kind, std::size_t point) const
 {
   // One number says both, so that all ranks agree on the same point.
   const auto count = static_cast<double>(mesh_.number_of_points());
-  const double code = ranks_.largest(
-      kind == none ? 0 : kind * count + static_cast<double>(point));
+  const double code =
+      ranks_.largest(kind == none ? 0.
+                                  : static_cast<unsigned>(kind) * count +
+                                        static_cast<double>(point));
   const char *reasons[] = {"",
                            "an element turns inside out",
                            "a material point failed",

@@ -44,8 +44,9 @@ struct DieGeometry {
   double exit_taper_angle = 0, exit_taper_length = 0;
   unsigned radial_elements = 4; ///< along the radius, half the side
   unsigned axial_elements = 7;
-  /// A mesh of the powder (gmsh .msh), shape `file`.
+  /// A mesh of the powder (gmsh .msh), or a .geo file; shape `file`.
   std::string mesh_file;
+  std::string mesh_parameters; ///< of a .geo file: "R = 6e-3, nr = 8"
 
   /// Throws std::invalid_argument naming the first value that is not possible.
   void check() const;

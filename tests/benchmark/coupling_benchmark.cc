@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <coupling/packing_library.h>
 #include <coupling/unit_cell_points.h>
+#include <fem/build_mesh.h>
 #include <fem/die_model.h>
 #include <tests/benchmark/rows.h>
 
@@ -31,7 +32,7 @@ void measure_point_steps(benchmark::State &state)
   fem::Stage press;
   press.value = 0.75;
   settings.stages = {press};
-  const fem::DieMesh mesh(settings.geometry);
+  const fem::Mesh mesh = fem::build_mesh(settings.geometry);
   const std::size_t points = mesh.number_of_points();
   const std::vector<dem::UnitCell> packings =
       coupling::make_packings(granules(1000), points, false, 2);

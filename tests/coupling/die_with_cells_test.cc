@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <dem/measures.h>
+#include <fem/build_mesh.h>
 #include <fem/die_model.h>
 #include <tests/coupling/sample_cells.h>
 
@@ -17,9 +18,9 @@ namespace
 {
 using fem::Advance;
 using fem::Deformation;
-using fem::DieMesh;
 using fem::DieModel;
 using fem::DieSettings;
+using fem::Mesh;
 using fem::Response;
 using fem::Stage;
 
@@ -70,7 +71,7 @@ DieSettings small_die(unsigned radial, unsigned axial, double density)
   DieSettings settings;
   settings.geometry.radial_elements = radial;
   settings.geometry.axial_elements = axial;
-  settings.wall_friction_coefficient = 0;
+  settings.friction[fem::die_wall] = fem::FrictionCoefficient(0);
   Stage press;
   press.target = fem::StageTarget::density;
   press.value = density;
@@ -91,7 +92,7 @@ std::vector<char> bytes_of(const fem::MaterialPoints &points)
 TEST(DieWithCells, OneElementIsTheCellToTheBit)
 {
   const DieSettings settings = small_die(1, 1, 0.66);
-  const DieMesh mesh(settings.geometry);
+  const Mesh mesh = fem::build_mesh(settings.geometry);
   UnitCellPoints cells(test::same_cells(4), test::cold());
   Watched points(cells);
   DieModel die(settings, mesh, points);
@@ -114,17 +115,19 @@ TEST(DieWithCells, OneElementIsTheCellToTheBit)
 TEST(DieWithCells, FrictionlessPressingIsTheCurveOfTheCell)
 {
   const DieSettings settings = small_die(1, 1, 0.66);
-  const DieMesh mesh(settings.geometry);
+  const Mesh mesh = fem::build_mesh(settings.geometry);
   UnitCellPoints cells(test::same_cells(4), test::cold());
   DieModel die(settings, mesh, cells);
   UnitCellPoints bare(test::same_cells(1), test::cold());
-  double height = mesh.height();
-  const double area = std::numbers::pi * mesh.radius() * mesh.radius();
+  double height = settings.geometry.fill_height;
+  const double area =
+      std::numbers::pi * settings.geometry.radius * settings.geometry.radius;
   unsigned steps = 0;
   Advance end;
   while ((end = die.advance()) == Advance::stepped) {
     ++steps;
-    const double now = mesh.height() - die.last_step().upper_displacement;
+    const double now =
+        settings.geometry.fill_height - die.last_step().upper_displacement;
     Deformation F;
     F.relative_F[0][0] = F.relative_F[1][1] = 1;
     F.relative_F[2][2] = now / height;
@@ -144,8 +147,8 @@ TEST(DieWithCells, FrictionlessPressingIsTheCurveOfTheCell)
 TEST(DieWithCells, DensityOfElementsIsThatOfTheirCells)
 {
   DieSettings settings = small_die(1, 2, 0.64);
-  settings.wall_friction_coefficient = 0.2;
-  const DieMesh mesh(settings.geometry);
+  settings.friction[fem::die_wall] = fem::FrictionCoefficient(0.2);
+  const Mesh mesh = fem::build_mesh(settings.geometry);
   UnitCellPoints cells(test::different_cells(8), {});
   std::vector<double> start;
   for (std::size_t i = 0; i < cells.size(); ++i)
@@ -173,8 +176,8 @@ TEST(DieWithCells, DensityOfElementsIsThatOfTheirCells)
 TEST(DieWithCells, AStepThatFailsForGoodLeavesNoTrace)
 {
   DieSettings settings = small_die(1, 2, 0.7);
-  settings.wall_friction_coefficient = 0.2;
-  const DieMesh mesh(settings.geometry);
+  settings.friction[fem::die_wall] = fem::FrictionCoefficient(0.2);
+  const Mesh mesh = fem::build_mesh(settings.geometry);
   UnitCellPoints cells(test::different_cells(8), {});
   Watched points(cells);
   DieModel die(settings, mesh, points);
@@ -199,9 +202,9 @@ TEST(DieWithCells, ACutStepIsTheShorterStepToTheBit)
   // that half from the start.
   const auto run = [](bool fails, double largest) {
     DieSettings settings = small_die(1, 2, 0.7);
-    settings.wall_friction_coefficient = 0.2;
+    settings.friction[fem::die_wall] = fem::FrictionCoefficient(0.2);
     settings.steps.first = settings.steps.maximum = largest;
-    const DieMesh mesh(settings.geometry);
+    const Mesh mesh = fem::build_mesh(settings.geometry);
     UnitCellPoints cells(test::different_cells(8), {});
     Watched points(cells);
     DieModel die(settings, mesh, points);
@@ -220,7 +223,7 @@ TEST(DieWithCells, ACutStepIsTheShorterStepToTheBit)
 TEST(DieWithCells, PressesUnloadsAndEjects)
 {
   DieSettings settings = small_die(1, 2, 0.75);
-  settings.wall_friction_coefficient = 0.2;
+  settings.friction[fem::die_wall] = fem::FrictionCoefficient(0.2);
   settings.solver.displacement_tolerance = 1e-2;
   Stage unload, eject;
   unload.kind = fem::StageKind::unload;
@@ -232,7 +235,7 @@ TEST(DieWithCells, PressesUnloadsAndEjects)
   eject.hold_share = 0.05;
   settings.stages.push_back(unload);
   settings.stages.push_back(eject);
-  const DieMesh mesh(settings.geometry);
+  const Mesh mesh = fem::build_mesh(settings.geometry);
   UnitCellPoints cells(test::different_cells(8), {});
   double peak = 0;
   DieModel die(settings, mesh, cells, [&](unsigned, double pressure) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fem/build_mesh.h>
 #include <fem/equilibrium.h>
 #include <tests/fem/test_points.h>
 
@@ -19,12 +20,12 @@ HenckyLaw stiffening_law()
   return law;
 }
 
-DieMesh small_mesh()
+Mesh small_mesh()
 {
   DieGeometry geometry;
   geometry.radial_elements = 3;
   geometry.axial_elements = 4;
-  return DieMesh(geometry);
+  return build_mesh(geometry);
 }
 
 SolverSettings solver(NonlinearMethod method, double tolerance = 1e-10)
@@ -37,28 +38,37 @@ SolverSettings solver(NonlinearMethod method, double tolerance = 1e-10)
   return settings;
 }
 
-PunchMotion down(double distance)
+Motion down(double distance)
 {
-  PunchMotion motion;
-  motion.upper = -distance;
+  Motion motion;
+  motion[upper_punch].displacement = -distance;
   return motion;
+}
+
+Tools tools_of(const Mesh &mesh, double friction)
+{
+  Tools tools{make_tools({}, mesh), {}};
+  tools.friction[die_wall] = FrictionCoefficient(friction);
+  return tools;
 }
 
 /// Mesh, points and solver.
 struct Bench {
-  DieMesh mesh = small_mesh();
+  Mesh mesh = small_mesh();
   HenckyPoints points;
+  Press press;
   Equilibrium equilibrium;
 
   explicit Bench(const SolverSettings &settings, double friction = 0.3)
       : points(mesh.number_of_points(), stiffening_law()),
-        equilibrium(mesh.data(), points, friction, settings, 0.2)
+        press(mesh, tools_of(mesh, friction), points, settings, Ranks()),
+        equilibrium(press, settings, 0.2)
   {
   }
 
-  Attempt attempt(const PunchMotion &motion)
+  Attempt attempt(const Motion &motion)
   {
-    const Displacement guess(mesh.data().number_of_dofs(), 0.);
+    const Increment guess(number_of_unknowns(mesh), 0.);
     return equilibrium.attempt(motion, guess, false);
   }
 };
@@ -115,9 +125,9 @@ TEST(Equilibrium, LoadedPunchMatchesTheMovedOne)
   const Attempt first = moved.attempt(down(2e-4));
   ASSERT_TRUE(first.converged);
   Bench loaded(solver(NonlinearMethod::newton));
-  PunchMotion motion;
-  motion.upper_is_loaded = true;
-  motion.upper_force = first.forces.upper;
+  Motion motion;
+  motion[upper_punch].loaded = true;
+  motion[upper_punch].force = -first.forces[upper_punch].force[2];
   const Attempt second = loaded.attempt(motion);
   ASSERT_TRUE(second.converged) << second.reason;
   for (std::size_t i = 0; i < moved.equilibrium.increment().size(); ++i)
@@ -154,13 +164,15 @@ TEST(Equilibrium, FailedAttemptLeavesNoTrace)
   }
   EXPECT_EQ(spoilt, taken.size());
   EXPECT_FALSE(disturbed.points.committed_spoilt);
-  const CompactState &a = clean.equilibrium.state();
-  const CompactState &b = disturbed.equilibrium.state();
+  const CompactState &a = clean.press.compact().state();
+  const CompactState &b = disturbed.press.compact().state();
   for (std::size_t n = 0; n < a.positions.size(); ++n)
     EXPECT_EQ(a.positions[n], b.positions[n]);
   for (std::size_t p = 0; p < a.responses.size(); ++p)
     EXPECT_EQ(a.responses[p].stress, b.responses[p].stress);
-  EXPECT_EQ(a.wall_friction, b.wall_friction);
+  const auto &wall = clean.press.contact().accepted();
+  for (std::size_t i = 0; i < wall.size(); ++i)
+    EXPECT_EQ(wall[i].force, disturbed.press.contact().accepted()[i].force);
 }
 
 TEST(Equilibrium, GuardRefusesAnOpeningState)
@@ -168,7 +180,7 @@ TEST(Equilibrium, GuardRefusesAnOpeningState)
   Bench bench(solver(NonlinearMethod::newton));
   ASSERT_TRUE(bench.attempt(down(1e-4)).converged);
   bench.equilibrium.accept();
-  const Displacement guess(bench.mesh.data().number_of_dofs(), 0.);
+  const Increment guess(number_of_unknowns(bench.mesh), 0.);
   const Attempt attempt = bench.equilibrium.attempt(down(-8e-5), guess, true);
   EXPECT_FALSE(attempt.converged);
   EXPECT_EQ(attempt.reason, "a material point opens");

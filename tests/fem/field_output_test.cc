@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fem/build_mesh.h>
 #include <fem/die_model.h>
 #include <tests/fem/test_points.h>
 
@@ -17,14 +18,14 @@ namespace
 /// A frictionless compact pressed by a tenth.
 struct Pressed {
   DieSettings settings;
-  DieMesh mesh;
+  Mesh mesh;
   test::HenckyPoints points;
   DieModel model;
 
   static DieSettings make_settings()
   {
     DieSettings settings;
-    settings.wall_friction_coefficient = 0;
+    settings.friction[die_wall] = FrictionCoefficient(0);
     settings.geometry.radial_elements = 2;
     settings.geometry.axial_elements = 3;
     settings.stages = {{StageKind::press, StageTarget::displacement, 7e-4}};
@@ -32,7 +33,7 @@ struct Pressed {
   }
 
   Pressed()
-      : settings(make_settings()), mesh(settings.geometry),
+      : settings(make_settings()), mesh(build_mesh(settings.geometry)),
         points(mesh.number_of_points(), test::HenckyLaw()),
         model(settings, mesh, points)
   {
