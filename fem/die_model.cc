@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 namespace tamp::fem
 {
@@ -17,6 +18,24 @@ namespace
 /// A point's deformation in one step stays below this multiple of the largest
 /// step.
 constexpr double largest_concentration = 10;
+
+ForceOnTools on_tools(const ToolForces &forces)
+{
+  ForceOnTools result{};
+  result[upper_punch] = forces.upper;
+  result[lower_punch] = -forces.lower;
+  return result;
+}
+
+PunchMotion punch_motion(const Motion &motion)
+{
+  const ToolMotion &upper = motion[upper_punch], &lower = motion[lower_punch];
+  const ToolMotion &die = motion[die_wall];
+  if (lower.loaded || die.loaded || die.displacement != 0)
+    throw std::invalid_argument("a stage moves the die or loads the lower "
+                                "punch; expected one that does not");
+  return {upper.loaded, upper.displacement, upper.force, lower.displacement};
+}
 
 struct Densities {
   double mean = 0, minimum = 0, maximum = 0;
@@ -64,9 +83,10 @@ struct DieModel::Implementation {
                     chosen.wall_friction_coefficient,
                     chosen.solver,
                     largest_concentration * chosen.steps.maximum),
-        schedule(chosen.stages, chosen.steps, data.top)
+        schedule(chosen)
   {
     observe();
+    chosen.check_start(press.mean_density);
   }
 
   double punch_area() const
@@ -82,11 +102,17 @@ struct DieModel::Implementation {
     const double bottom = state.positions[mesh.punch_bottom.front()][1];
     const Densities density = densities(mesh, state);
     press.top = top;
+    press.bottom = bottom;
+    press.rim = mesh.top;
     press.height = top - bottom;
+    press.fill_height = mesh.top - mesh.bottom;
+    press.element_height =
+        press.height / static_cast<double>(mesh.wall.size() - 1);
     press.upper_displacement = mesh.top - top;
     press.lower_displacement = bottom - mesh.bottom;
-    press.upper_force = state.forces.upper;
-    press.peak_force = std::max(press.peak_force, state.forces.upper);
+    press.force = on_tools(state.forces);
+    press.peak_force =
+        std::max(press.peak_force, schedule.pressing_force(press.force));
     press.mean_density = density.mean;
     record.upper_displacement = press.upper_displacement;
     record.lower_displacement = press.lower_displacement;
@@ -118,7 +144,8 @@ struct DieModel::Implementation {
     for (std::size_t node = 0; node < positions.size(); ++node) {
       const double share = (positions[node][1] - bottom) / press.height;
       increment[2 * node + 1] =
-          (1 - share) * proposal.motion.lower + share * proposal.motion.upper;
+          (1 - share) * proposal.motion[lower_punch].displacement +
+          share * proposal.motion[upper_punch].displacement;
     }
     return increment;
   }
@@ -140,10 +167,11 @@ struct DieModel::Implementation {
     const bool guard =
         settings.solver.guard_against_opening && schedule.presses();
     while (true) {
-      attempt = equilibrium.attempt(proposal.motion, guess(proposal), guard);
+      attempt = equilibrium.attempt(
+          punch_motion(proposal.motion), guess(proposal), guard);
       if (attempt.converged) {
         const auto loaded =
-            schedule.instead(proposal, press, attempt.forces.upper);
+            schedule.instead(proposal, press, on_tools(attempt.forces));
         if (!loaded)
           return true;
         proposal = *loaded;
@@ -189,7 +217,7 @@ struct DieModel::Implementation {
     last_increment = equilibrium.increment();
     last_phase = schedule.phase();
     // The motion of a loaded punch was only a guess.
-    const bool upper_drives = proposal.motion.lower <= 0;
+    const bool upper_drives = proposal.motion[lower_punch].displacement <= 0;
     last_driving =
         upper_drives ? std::abs(last_increment[2 * mesh.punch_top.front() + 1])
                      : proposal.driving;
@@ -202,6 +230,10 @@ struct DieModel::Implementation {
         schedule.begin_stage(press);
         if (stage_begins)
           stage_begins(schedule.stage(), press.peak_force / punch_area());
+      }
+      if (const auto reason = schedule.impossible(press)) {
+        remember_failure({}, *reason);
+        return Advance::failed;
       }
       if (const auto proposal = schedule.propose(press))
         return step(*proposal) ? Advance::stepped : Advance::failed;
