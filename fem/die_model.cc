@@ -59,6 +59,22 @@ double projected_area(const Mesh &mesh, Tool tool)
   return area * mesh.multiplicity();
 }
 
+/// Smallest height of an element along the die wall [m].
+double element_height(const Mesh &mesh, const NodePositions &positions)
+{
+  const auto &faces = mesh.tools[die_wall].faces;
+  double smallest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < faces.size(); i += mesh.nodes_per_face()) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (unsigned a = 0; a < mesh.nodes_per_face(); ++a) {
+      low = std::min(low, positions[faces[i + a]][2]);
+      high = std::max(high, positions[faces[i + a]][2]);
+    }
+    smallest = std::min(smallest, high - low);
+  }
+  return smallest;
+}
+
 struct Extent {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   double radius = 0;
@@ -82,8 +98,8 @@ struct DieModel::Implementation {
   StageBegins stage_begins;
   Press press;
   Equilibrium equilibrium;
-  double area; ///< of the upper punch [m2]
-  Extent start;
+  double area;                   ///< of the upper punch [m2]
+  double upper_edge, lower_edge; ///< of the powder in the filled die, z [m]
   Schedule schedule;
   StepRecord record;
   Failure failure;
@@ -106,10 +122,34 @@ struct DieModel::Implementation {
               ranks),
         equilibrium(
             press, chosen.solver, largest_concentration * chosen.steps.maximum),
-        area(projected_area(data, upper_punch)), start(extent(data.nodes)),
-        schedule(chosen.stages, chosen.steps, start.high)
+        area(projected_area(data, upper_punch)),
+        upper_edge(edge_height(data.nodes, upper_punch)),
+        lower_edge(edge_height(data.nodes, lower_punch)), schedule(chosen)
   {
     observe();
+    chosen.check_start(state.mean_density);
+  }
+
+  /// z of the highest node where a punch meets the die, or of its highest node
+  /// at all [m].
+  double edge_height(const NodePositions &positions, Tool punch) const
+  {
+    const auto &wall = mesh.tools[die_wall].nodes;
+    double edge = -std::numeric_limits<double>::infinity(), any = edge;
+    for (const unsigned node : mesh.tools[punch].nodes) {
+      any = std::max(any, positions[node][2]);
+      if (std::binary_search(wall.begin(), wall.end(), node))
+        edge = std::max(edge, positions[node][2]);
+    }
+    return std::isfinite(edge) ? edge : any;
+  }
+
+  ForceOnTools on_tools(const ToolForces &forces) const
+  {
+    ForceOnTools result{};
+    for (unsigned tool = 0; tool < number_of_tools; ++tool)
+      result[tool] = -mesh.multiplicity() * forces[tool].force[2];
+    return result;
   }
 
   /// Reads the accepted state into the record and the schedule's view.
@@ -119,16 +159,24 @@ struct DieModel::Implementation {
     const double whole = mesh.multiplicity();
     const Densities density = densities(press.compact());
     const Extent now = extent(press.compact().state().positions);
-    state.top = start.high + press.tools()[upper_punch];
-    state.height = state.top - start.low - press.tools()[lower_punch];
+    const auto &positions = press.compact().state().positions;
+    state.top = edge_height(positions, upper_punch);
+    state.bottom = lower_edge + press.tools()[lower_punch];
+    state.rim = upper_edge + press.tools()[die_wall];
+    state.fill_height = upper_edge - lower_edge;
+    state.height = state.fill_height + press.tools()[upper_punch] -
+                   press.tools()[lower_punch];
+    state.die_displacement = press.tools()[die_wall];
+    state.element_height = element_height(mesh, positions);
     state.upper_displacement = -press.tools()[upper_punch];
     state.lower_displacement = press.tools()[lower_punch];
-    state.upper_force = -whole * forces[upper_punch].force[2];
-    state.peak_force = std::max(state.peak_force, state.upper_force);
+    state.force = on_tools(forces);
+    state.peak_force =
+        std::max(state.peak_force, schedule.pressing_force(state.force));
     state.mean_density = density.mean;
     record.upper_displacement = state.upper_displacement;
     record.lower_displacement = state.lower_displacement;
-    record.upper_force = state.upper_force;
+    record.upper_force = state.force[upper_punch];
     record.lower_force = whole * forces[lower_punch].force[2];
     record.wall_friction_force =
         whole * (forces[die_wall].force[2] + forces[core_rod].force[2]);
@@ -197,10 +245,8 @@ struct DieModel::Implementation {
       attempt = equilibrium.attempt(proposal.motion, guess(proposal), guard);
       updates += attempt.iterations;
       if (attempt.converged) {
-        const auto loaded = schedule.instead(
-            proposal,
-            state,
-            -mesh.multiplicity() * attempt.forces[upper_punch].force[2]);
+        const auto loaded =
+            schedule.instead(proposal, state, on_tools(attempt.forces));
         if (!loaded)
           return true;
         proposal = *loaded;
@@ -259,6 +305,10 @@ struct DieModel::Implementation {
         schedule.begin_stage(state);
         if (stage_begins)
           stage_begins(schedule.stage(), state.peak_force / area);
+      }
+      if (const auto reason = schedule.impossible(state)) {
+        remember_failure({}, *reason);
+        return Advance::failed;
       }
       if (const auto proposal = schedule.propose(state))
         return step(*proposal) ? Advance::stepped : Advance::failed;

@@ -15,21 +15,38 @@ namespace tamp::fem
 enum class StageKind { press, unload, eject, hold };
 enum class StageTarget {
   density,      ///< mean relative density [-]
-  displacement, ///< of the moving punch, since the start of the stage [m]
-  force,        ///< of the upper punch [N]
-  peak_share,   ///< force of the upper punch as a share of its peak [-]
-  rim           ///< eject until the compact's top reaches the die's rim
+  displacement, ///< of each moving tool, since the start of the stage [m]
+  force,        ///< of the punch that presses; of the upper one if both do [N]
+  peak_share,   ///< the same force as a share of its peak [-]
+  nothing,      ///< unload until the punch has left the compact
+  rim,          ///< eject until the compact's upper edge is at the die's rim
+  out           ///< eject until the lower punch's edge is at the die's rim
+};
+/// Who presses. `both` move towards each other by equal lengths.
+enum class Pressing { upper, lower, both };
+enum class Ejection {
+  push,      ///< the lower punch pushes the compact up
+  withdrawal ///< the die is drawn down over the compact, the lower punch rests
 };
 
-/// One stage of the schedule. `press` and `unload` move the upper punch;
-/// `eject` moves the lower punch up while the upper one keeps `hold_share` of
-/// the peak force; `hold` does `steps` steps at rest.
+/// One stage of the schedule. `press` moves a punch or both; `unload` retracts
+/// the one that pressed last, the upper one if both did: the lower one stays,
+/// as in a press. `eject` pushes the compact out of the die, or draws the die
+/// off it, while the upper punch keeps `hold_share` of the peak force; zero
+/// sets the compact free: the upper punch leaves it first, and then goes up
+/// with the lower one. `hold` does `steps` steps at rest. Unloading to a force
+/// of zero is unloading to nothing.
 struct Stage {
   StageKind kind = StageKind::press;
   StageTarget target = StageTarget::density;
   double value = 0.85;
   double hold_share = 0.05;
   unsigned steps = 1;
+  Pressing pressing = Pressing::upper; ///< of `press`
+  Ejection ejection = Ejection::push;  ///< of `eject`
+
+  /// Does an unloading end, or an ejection begin, without contact of the punch?
+  bool frees() const;
 };
 
 /// Limits of a step, as mean axial strain of the compact [-].
@@ -42,6 +59,9 @@ struct StepLimits {
   double minimum = 1e-6; ///< a smaller step ends the run
   double growth = 1.25;
   double cut = 0.5;
+  /// Maximum while the compact passes the die's rim, where its nodes leave the
+  /// wall one by one: as a share of the height of an element at the wall [-].
+  double rim = 0.25;
 };
 
 enum class NonlinearMethod {
@@ -71,13 +91,19 @@ struct DieSettings {
       FrictionCoefficient(0),
       FrictionCoefficient(0.2),
       FrictionCoefficient(0.2)};
+  /// The die is carried by friction alone until the compact is ejected.
+  bool floating_die = false;
   std::vector<Stage> stages;
   StepLimits steps;
   SolverSettings solver;
 
   /// Throws std::invalid_argument naming the first value that is not
-  /// possible.
+  /// possible, alone or with those before it.
   void check() const;
+
+  /// Throws std::invalid_argument if powder of this mean relative density is
+  /// as dense as the first pressing wants it, or denser.
+  void check_start(double density) const;
 };
 } // namespace tamp::fem
 
