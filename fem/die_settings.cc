@@ -1,26 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fem/die_settings.h>
+#include <fem/require.h>
 
-#include <sstream>
-#include <stdexcept>
+#include <string>
 
 namespace tamp::fem
 {
 namespace
 {
-template <class Value>
-void require(bool possible,
-             const char *name,
-             const Value &value,
-             const char *expected)
-{
-  if (possible)
-    return;
-  std::ostringstream message;
-  message << name << " is " << value << "; expected " << expected;
-  throw std::invalid_argument(message.str());
-}
-
 bool target_fits(StageKind kind, StageTarget target)
 {
   switch (kind) {
@@ -59,14 +46,14 @@ void check_value(const Stage &stage, const std::string &name)
 void check_stage(const Stage &stage, const std::string &name)
 {
   require(target_fits(stage.kind, stage.target),
-          (name + "target").c_str(),
+          name + "target",
           static_cast<int>(stage.target),
           "one that fits the kind of stage: press to density, displacement, "
           "force or peak share; unload to displacement, force, peak share or "
           "nothing; eject to displacement, rim or out");
   check_value(stage, name);
   require(stage.hold_share >= 0 && stage.hold_share < 1,
-          (name + "hold share").c_str(),
+          name + "hold share",
           stage.hold_share,
           "at least 0 and below 1");
   if (stage.kind == StageKind::hold)
