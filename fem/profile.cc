@@ -153,10 +153,12 @@ void Profile::join(const std::vector<Corner> &corners, bool closed)
       complain("an arc does not fit",
                corners[trim[i] > trim[i + 1] ? i : i + 1].position,
                "a smaller radius");
-    lines_.push_back({corners[i].position,
-                      corners[i].direction_to(corners[i + 1]),
-                      trim[i] - slack_,
-                      length - trim[i + 1] + slack_});
+    // Nothing is left between arcs that meet.
+    if (rest > slack_)
+      lines_.push_back({corners[i].position,
+                        corners[i].direction_to(corners[i + 1]),
+                        trim[i] - slack_,
+                        length - trim[i + 1] + slack_});
   }
 }
 
@@ -190,8 +192,9 @@ ProfilePoint Profile::nearest(const Point &position) const
   // The nearest place is in the span of a line, or in the sector of an arc; a
   // sharp corner is the nearest in the sector that its neighbours leave open.
   double smallest = std::numeric_limits<double>::infinity();
-  const Line *line = &lines_.front();
-  const Arc *arc = nullptr;
+  // Only a place that is no number has none.
+  const Line *line = lines_.empty() ? nullptr : &lines_.front();
+  const Arc *arc = line ? nullptr : &arcs_.front();
   for (const Line &candidate : lines_) {
     const Point offset = position - candidate.start;
     const double along = offset * candidate.direction;

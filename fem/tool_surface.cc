@@ -64,7 +64,7 @@ SurfacePoint ToolSurface::nearest_revolved(const Vector &position) const
   const double radial = point.normal[0], axial = point.normal[1];
   // Near the axis of a smooth face both numbers are small, and radial / r is
   // the curvature but for rounding.
-  constexpr double small = 1e-9;
+  constexpr double small = 1e-6;
   const bool smooth =
       std::abs(radial) < small && std::abs(r * point.curvature) < small;
   if (!(r > 0) && !smooth)
