@@ -144,16 +144,6 @@ bool Stage::frees() const
           (value <= 0 && target != StageTarget::displacement));
 }
 
-void DieGeometry::check() const
-{
-  if (!mesh_file.empty())
-    return;
-  require(radius > 0, "radius", radius, "> 0 m");
-  require(fill_height > 0, "fill height", fill_height, "> 0 m");
-  require(radial_elements > 0, "radial elements", radial_elements, "> 0");
-  require(axial_elements > 0, "axial elements", axial_elements, "> 0");
-}
-
 void DieSettings::check() const
 {
   geometry.check();

@@ -19,9 +19,6 @@ namespace
 constexpr double smallest_displacement = 5e-3;
 /// Updates without a new best residual after which an attempt is given up.
 constexpr unsigned patience = 6;
-/// Largest penetration of a tool that is accepted, as a share of the height.
-constexpr double largest_penetration = 1e-6;
-
 double largest(const std::vector<double> &values)
 {
   double result = 0;
@@ -128,6 +125,7 @@ Equilibrium::attempt(const Motion &motion, const Increment &guess, bool guard)
   increment_ = guess;
   if (fails(press_.begin(motion, increment_), attempt))
     return attempt;
+  press_.take_reactions();
   if (settings_.method == NonlinearMethod::newton)
     search_newton(attempt);
   else
@@ -143,17 +141,20 @@ void Equilibrium::search_newton(Attempt &attempt)
   bool fresh = true; // begin() has made the first trial
   NewtonProblem problem;
   problem.residual = [&](const std::vector<double> &x, std::vector<double> &r) {
-    if (!fresh && fails(press_.move(x, Want::stress_and_tangent), attempt))
-      return false;
-    if (!fresh)
+    if (!fresh) {
+      if (fails(press_.move(x, Want::stress_and_tangent), attempt))
+        return false;
       press_.assemble_stiffness();
+      press_.take_reactions();
+    }
     fresh = false;
+    increment_ = x;
     r = imbalance = measure(attempt);
     return true;
   };
   problem.solve = [&](std::span<const double>, std::span<double> y) {
     // SNES subtracts its solution.
-    const auto change = press_.newton_change(imbalance);
+    const auto change = press_.balance_tools(increment_);
     for (std::size_t i = 0; i < change.size(); ++i)
       y[i] = -change[i];
     return !change.empty();
@@ -166,29 +167,18 @@ void Equilibrium::search_newton(Attempt &attempt)
     for (std::size_t i = 0; i < to.size(); ++i)
       step[i] = to[i] - x[i];
   };
-  problem.converged = [&](const Increment &x, const Increment &step) {
-    increment_ = x;
+  problem.converged = [&](const Increment &, const Increment &step) {
     attempt.displacement_change = relative_change(step);
     if (step.empty()) // a guess that needs no correction is balanced well
       return attempt.force_residual <= 1e-2 * settings_.force_tolerance;
     return good(attempt);
   };
-  constexpr unsigned most_augmentations = 5;
-  for (unsigned i = 0; i <= most_augmentations; ++i) {
-    const NewtonOutcome outcome =
-        solve_newton(problem, increment_, settings_.maximum_iterations);
-    if (!outcome.converged) {
-      attempt.point =
-          attempt.reason.empty() ? point_of_largest(imbalance) : attempt.point;
-      if (attempt.reason.empty())
-        attempt.reason = not_converged(outcome.reason.c_str(), attempt);
-      return;
-    }
-    attempt.converged = true;
-    if (press_.largest_penetration() <= largest_penetration * height_)
-      return;
-    press_.augment();
-    fresh = true;
+  const NewtonOutcome outcome =
+      solve_newton(problem, increment_, settings_.maximum_iterations);
+  attempt.converged = outcome.converged;
+  if (!outcome.converged && attempt.reason.empty()) {
+    attempt.point = point_of_largest(imbalance);
+    attempt.reason = not_converged(outcome.reason.c_str(), attempt);
   }
 }
 
@@ -197,9 +187,11 @@ void Equilibrium::search_accelerated(Attempt &attempt)
   Progress progress;
   Anderson anderson(settings_.anderson_depth);
   for (bool first = true;; first = false) {
-    if (!first && fails(press_.move(increment_, Want::stress), attempt))
-      return;
-    press_.take_reactions();
+    if (!first) {
+      if (fails(press_.move(increment_, Want::stress), attempt))
+        return;
+      press_.take_reactions();
+    }
     const auto imbalance = measure(attempt);
     attempt.point = point_of_largest(imbalance);
     const auto change = press_.balance_tools(increment_);

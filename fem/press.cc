@@ -189,15 +189,6 @@ double Press::tool_imbalance() const
   return std::abs(sum) / largest;
 }
 
-double Press::largest_penetration() const
-{
-  double largest = 0;
-  for (const PairForce &pair : pair_forces_)
-    if (pair.status != ContactStatus::open)
-      largest = std::max(largest, std::abs(pair.penetration));
-  return largest;
-}
-
 std::vector<ContactBlock>
 Press::contact_blocks(const std::vector<PairForce> &forces,
                       const NodePositions &positions,
@@ -210,24 +201,6 @@ Press::contact_blocks(const std::vector<PairForce> &forces,
                         contact_.pairs()[i].tool,
                         contact_.stiffness(i, forces[i], positions, tools)});
   return blocks;
-}
-
-std::vector<double> Press::newton_change(std::span<const double> imbalance)
-{
-  const StopWatch watch(times_.linear_solver);
-  if (!system_.factorise(stiffness_,
-                         contact_blocks(pair_forces_,
-                                        compact_.trial_positions(),
-                                        trial_tools_),
-                         loaded_))
-    return {};
-  std::vector<double> right(imbalance.begin(), imbalance.end());
-  for (double &value : right)
-    value = -value;
-  std::vector<double> change(right.size(), 0.);
-  if (!system_.solve(right, change))
-    return {};
-  return change;
 }
 
 /// Forces and what is left of them after a change of the increment, if the
@@ -264,67 +237,99 @@ Press::Balance Press::balance_after(const std::vector<double> &change,
   return result;
 }
 
+bool Press::advance_balance(Balance &now,
+                            const Increment &increment,
+                            bool search)
+{
+  constexpr double shortest = 1. / 256;
+  std::vector<double> step(increment.size(), 0.);
+  if (!system_.factorise(stiffness_,
+                         contact_blocks(now.pairs, now.positions, now.tools),
+                         loaded_) ||
+      !system_.solve(now.right, step))
+    return false;
+  const auto force = system_.multiply_powder(stiffness_, step);
+  for (double length = 1;; length *= 0.5) {
+    std::vector<double> change = now.change, internal = now.internal;
+    for (std::size_t i = 0; i < change.size(); ++i)
+      change[i] += length * step[i];
+    for (std::size_t i = 0; i < internal.size(); ++i)
+      internal[i] += length * force[i];
+    Balance next = balance_after(change, std::move(internal), increment);
+    if (!search || next.rest < (1 - 1e-4 * length) * now.rest ||
+        length <= shortest) {
+      now = std::move(next);
+      return true;
+    }
+  }
+}
+
 std::vector<double> Press::balance_tools(const Increment &increment)
 {
   // Full steps find open, stick and slip in a few iterations. If they alternate
   // for ever, which a bad tangent can cause, only steps that help are taken,
   // and the best balance found is used if it is much better than none.
-  constexpr unsigned most = 40, full_steps = 10;
-  constexpr double tolerance = 1e-9, useful = 0.5, shortest = 1. / 256;
+  constexpr unsigned most = 40, full_steps = 10, most_augmentations = 3;
+  constexpr double tolerance = 1e-9, tight = 1e-12, useful = 0.5;
   const StopWatch watch(times_.linear_solver);
   Balance now = balance_after(
       std::vector<double>(increment.size(), 0.), internal_, increment);
   Balance best = now;
   const double first_rest = now.rest;
-  std::vector<double> step(increment.size(), 0.);
+  unsigned augmentations = 0;
   for (unsigned iteration = 0; iteration < most; ++iteration) {
-    if (!system_.factorise(stiffness_,
-                           contact_blocks(now.pairs, now.positions, now.tools),
-                           loaded_) ||
-        !system_.solve(now.right, step))
+    if (!advance_balance(now, increment, iteration >= full_steps))
       return {};
-    const auto force = system_.multiply_powder(stiffness_, step);
-    for (double length = 1;; length *= 0.5) {
-      std::vector<double> change = now.change, internal = now.internal;
-      for (std::size_t i = 0; i < change.size(); ++i)
-        change[i] += length * step[i];
-      for (std::size_t i = 0; i < internal.size(); ++i)
-        internal[i] += length * force[i];
-      Balance next = balance_after(change, std::move(internal), increment);
-      if (iteration < full_steps ||
-          next.rest < (1 - 1e-4 * length) * now.rest || length <= shortest) {
-        now = std::move(next);
-        break;
-      }
-    }
-    if (now.rest < best.rest)
+    const bool stalls = now.rest > 0.5 * best.rest;
+    if (now.rest <= best.rest)
       best = now;
-    if (now.rest <=
-        tolerance * std::max(reactions(now.pairs), reference_force()))
+    const double rest = best.rest / reference_of(best);
+    if (rest > tolerance || (rest > tight && !stalls))
+      continue;
+    if (augmentations == most_augmentations || is_exact(best))
       break;
+    ++augmentations;
+    contact_.augment(best.pairs);
+    now = best =
+        balance_after(best.change, std::move(best.internal), increment);
   }
-  if (!(best.rest <= useful * first_rest) && first_rest > 0)
+  if (best.rest > tolerance * reference_of(best) &&
+      best.rest > useful * first_rest)
     return {};
   contact_.augment(best.pairs);
-  for (std::size_t i = 0; i < best.pairs.size(); ++i) {
-    if (best.pairs[i].status == ContactStatus::open)
-      continue;
-    const dealii::Tensor<1, 3> out =
-        (best.pairs[i].penetration / best.pairs[i].normal) *
-        (best.pairs[i].force - best.pairs[i].friction);
-    for (unsigned c = 0; c < mesh().components(); ++c) {
-      const std::size_t dof = mesh().dof(contact_.pairs()[i].node, c);
-      if (free_[dof])
-        best.change[dof] += out[mesh().axis(c)];
-    }
-  }
+  snap(best);
   return best.change;
 }
 
-void Press::augment()
+double Press::reference_of(const Balance &balance) const
 {
-  contact_.augment(pair_forces_);
-  pair_forces_ = contact_.forces(compact_.trial_positions(), trial_tools_);
+  return std::max(reactions(balance.pairs), reference_force());
+}
+
+bool Press::is_exact(const Balance &balance) const
+{
+  constexpr double negligible = 1e-6; // of the change
+  double change = 0, penetration = 0;
+  for (const double value : balance.change)
+    change = std::max(change, std::abs(value));
+  for (const PairForce &pair : balance.pairs)
+    if (pair.status != ContactStatus::open)
+      penetration = std::max(penetration, std::abs(pair.penetration));
+  return penetration <= negligible * change;
+}
+
+void Press::snap(Balance &balance) const
+{
+  for (std::size_t i = 0; i < balance.pairs.size(); ++i) {
+    const PairForce &pair = balance.pairs[i];
+    if (pair.status == ContactStatus::open)
+      continue;
+    const unsigned node = contact_.pairs()[i].node;
+    for (unsigned c = 0; c < mesh().components(); ++c)
+      if (free_[mesh().dof(node, c)])
+        balance.change[mesh().dof(node, c)] +=
+            pair.penetration * pair.normal_direction[mesh().axis(c)];
+  }
 }
 
 void Press::take_reactions()

@@ -64,11 +64,6 @@ public:
   /// Unbalanced force of the tools over the largest of them [-].
   double tool_imbalance() const;
   ToolForces trial_forces() const { return contact_.sums(pair_forces_); }
-  double largest_penetration() const; ///< of the trial [m]
-
-  /// The change of all unknowns that the linear equations of the trial give for
-  /// minus the imbalance. Empty: no answer.
-  std::vector<double> newton_change(std::span<const double> imbalance);
 
   /// The change that balances the tools with a powder that answers linearly: a
   /// semi-smooth Newton iteration over open, stick and slip at no material
@@ -77,8 +72,6 @@ public:
   /// the next trial. Empty: no balance.
   std::vector<double> balance_tools(const Increment &increment);
 
-  /// Multipliers become the normal forces of the trial.
-  void augment();
   /// Multipliers become what balances the powder of the trial.
   void take_reactions();
 
@@ -98,6 +91,10 @@ private:
                                            const ToolPositions &tools) const;
   std::vector<double> imbalance_of(std::span<const double> internal,
                                    const std::vector<PairForce> &forces) const;
+  bool advance_balance(Balance &now, const Increment &increment, bool search);
+  double reference_of(const Balance &balance) const;
+  bool is_exact(const Balance &balance) const;
+  void snap(Balance &balance) const;
   ToolPositions tools_after(std::span<const double> increment) const;
   std::vector<double> node_stiffness() const;
   std::vector<double> node_densities() const;

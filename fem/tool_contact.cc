@@ -16,9 +16,11 @@ using Matrix = dealii::Tensor<2, 3>;
 /// Stiffness of the contact over that of the powder at the node. The larger,
 /// the smaller are penetration and elastic slip; the system of equations
 /// becomes ill-conditioned by as much.
-constexpr double normal_stiffness = 1e4;
+constexpr double normal_stiffness = 1e3;
 /// Of sticking friction. Softer: stick and slip then meet in few iterations.
 constexpr double stick_stiffness = 10;
+/// A node nearer to a tool than this share of the mesh touches it.
+constexpr double touching = 1e-10;
 /// Nodes of soft powder count as this share of the stiffest.
 constexpr double smallest_stiffness = 1e-3;
 
@@ -47,6 +49,7 @@ double face_area(const Mesh &mesh,
 /// How a node approaches a tool.
 struct ToolContact::Approach {
   SurfacePoint surface;
+  bool touches = false;
   double normal = 0; ///< force [N]
   Vector motion;     ///< of the node relative to the tool since the start [m]
   Vector trial;      ///< friction if it sticks [N]
@@ -67,6 +70,8 @@ ToolContact::ToolContact(const Mesh &mesh, const Tools &tools)
   multipliers_.assign(pairs_.size(), 0.);
   stiffness_.assign(pairs_.size(), 0.);
   densities_.assign(pairs_.size(), 0.);
+  for (const Vector &node : mesh.nodes)
+    touch_ = std::max(touch_, touching * node.norm());
   update_areas(mesh.nodes);
 }
 
@@ -118,7 +123,10 @@ ToolContact::Approach ToolContact::approach(std::size_t pair,
   result.surface = tools_.surfaces[tool]->nearest(place);
   result.normal = multipliers_[pair] -
                   normal_stiffness * stiffness_[pair] * result.surface.distance;
-  if (!(result.normal > 0))
+  result.touches =
+      result.normal >= -normal_stiffness * stiffness_[pair] * touch_;
+  result.normal = std::max(result.normal, 0.);
+  if (!result.touches)
     return result;
   Vector before = begin_positions_[node];
   before[2] -= begin_tools_[tool];
@@ -139,7 +147,7 @@ PairForce ToolContact::force(std::size_t pair,
                              const ToolPositions &tools) const
 {
   const Approach now = approach(pair, positions, tools);
-  if (!(now.normal > 0))
+  if (!now.touches)
     return {};
   const FrictionForce friction = coulomb_friction(now.trial, now.limit);
   const Vector &n = now.surface.normal;
@@ -147,6 +155,7 @@ PairForce ToolContact::force(std::size_t pair,
   result.status = friction.status;
   result.normal = now.normal;
   result.penetration = -now.surface.distance;
+  result.normal_direction = n;
   result.friction = friction.force;
   result.force = now.normal * n + friction.force;
   result.slip = (now.motion - (now.motion * n) * n).norm();
@@ -215,8 +224,10 @@ void ToolContact::take_reactions(std::span<const double> internal,
         for (const std::size_t j : pairs)
           if (j != i)
             rest -= now[j].force;
-        const Vector n = (now[i].force - now[i].friction) / now[i].normal;
-        multipliers_[i] += std::max(rest * n, 0.) - now[i].normal;
+        if (std::abs(now[i].penetration) > touch_)
+          continue; // not on the tool yet: the penalty pushes it there
+        multipliers_[i] +=
+            std::max(rest * now[i].normal_direction, 0.) - now[i].normal;
         now[i] = force(i, positions, tools);
       }
 }

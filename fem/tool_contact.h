@@ -41,11 +41,12 @@ struct ContactPair {
 /// What a pair does in a trial.
 struct PairForce {
   ContactStatus status = ContactStatus::open;
-  double normal = 0;             ///< N, compressive [N]
-  double penetration = 0;        ///< [m]; meaningless if open
-  dealii::Tensor<1, 3> friction; ///< of the tool on the powder [N]
-  dealii::Tensor<1, 3> force;    ///< N n + friction [N]
-  double slip = 0;               ///< tangential, in the increment [m]
+  double normal = 0;                     ///< N, compressive [N]
+  double penetration = 0;                ///< [m]; meaningless if open
+  dealii::Tensor<1, 3> friction;         ///< of the tool on the powder [N]
+  dealii::Tensor<1, 3> force;            ///< N n + friction [N]
+  double slip = 0;                       ///< tangential, in the increment [m]
+  dealii::Tensor<1, 3> normal_direction; ///< from the tool into the powder
 };
 
 /// Frictional contact of the powder's nodes with the rigid tools. Normal
@@ -123,6 +124,7 @@ private:
   Tools tools_;
   std::vector<ContactPair> pairs_;
   std::vector<PairForce> accepted_;
+  double touch_ = 0; ///< a node this near touches a tool [m]
   std::vector<double> multipliers_, stiffness_, areas_, densities_;
   NodePositions begin_positions_;
   ToolPositions begin_tools_{};

@@ -47,7 +47,8 @@ Motion down(double distance)
 
 Tools tools_of(const Mesh &mesh, double friction)
 {
-  Tools tools{make_tools({}, mesh), {}};
+  Tools tools;
+  tools.surfaces = make_tools({}, mesh);
   tools.friction[die_wall] = FrictionCoefficient(friction);
   return tools;
 }

@@ -264,7 +264,7 @@ TEST(DieSettings, SchedulesThatCannotBeDoneAreRefused)
   EXPECT_THROW(settings.check_start(0.6), std::invalid_argument);
   settings.floating_die = true;
   EXPECT_NO_THROW(settings.check());
-  settings.wall_friction_coefficient = 0;
+  settings.friction[die_wall] = FrictionCoefficient(0);
   EXPECT_THROW(settings.check(), std::invalid_argument);
 }
 } // namespace tamp::fem
