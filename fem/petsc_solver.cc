@@ -135,10 +135,9 @@ private:
     check(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS), "choosing MUMPS");
     check(PCFactorSetUpMatSolverType(pc), "setting up MUMPS");
     check(PCFactorGetMatrix(pc, &factors_), "setting up MUMPS");
-    // The analysis must see the pattern only: no permutation by values (6),
-    // ordering by approximate minimum degree (7). Room for pivoting (14).
+    // The analysis must see the pattern only: no permutation by values (6).
+    // Room for pivoting (14). MUMPS chooses the ordering by the pattern.
     check(MatMumpsSetIcntl(factors_, 6, 0), "setting up MUMPS");
-    check(MatMumpsSetIcntl(factors_, 7, 0), "setting up MUMPS");
     check(MatMumpsSetIcntl(factors_, 14, 100), "setting up MUMPS");
   }
 

@@ -167,10 +167,9 @@ private:
     parameters.set("MaxProcs", -3); // all
     parameters.set("OutputLevel", 0);
     check(solver_->SetParameters(parameters), "setting up MUMPS");
-    // The analysis must see the pattern only: no permutation by values (6),
-    // ordering by approximate minimum degree (7). Room for pivoting (14).
+    // The analysis must see the pattern only: no permutation by values (6).
+    // Room for pivoting (14). MUMPS chooses the ordering by the pattern.
     solver_->SetICNTL(6, 0);
-    solver_->SetICNTL(7, 0);
     solver_->SetICNTL(14, 100);
     check(solver_->SymbolicFactorization(), "analysing the matrix");
   }
