@@ -52,10 +52,14 @@ public:
   [[nodiscard]] bool solve(std::span<const double> right_side,
                            std::span<double> solution);
 
+  /// Of the last solve() [-]; 1 for a direct method.
+  unsigned iterations() const;
+
   struct Backend; ///< one of the libraries: fem/linear_backends.h
 
 private:
-  std::unique_ptr<Backend> backend_;
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
 };
 } // namespace tamp::fem
 

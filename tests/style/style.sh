@@ -21,7 +21,7 @@ rooms=(dem fem coupling apps)
 standard='[a-z0-9_]+'
 # deal.II's own: PETSc, Trilinos, MPI and Boost come with it.
 deal='deal\.II/[^>]*|petsc[^>]*|Teuchos[^>]*|Epetra[^>]*|Amesos[^>]*|Sacado[^>]*'
-deal+='|boost/[^>]*|mpi\.h'
+deal+='|AztecOO[^>]*|ml_[^>]*|boost/[^>]*|mpi\.h'
 allowed_in() {
   case $1 in
     dem/kernel/*) echo "$standard|Eigen/[^>]*|dem/[^>]*|hwy/[^>]*" ;;
