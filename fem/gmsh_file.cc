@@ -84,10 +84,10 @@ bool check_types(const std::string &file,
                           "with Recombine in an Extrude)";
   for (const auto &[type, count] : counts) {
     if (names.count(type) != 0)
-      throw mesh_error(file,
-                       "has " + std::to_string(count) + " " + names.at(type) +
-                           " where quadrilaterals or hexahedra are expected" +
-                           recombine);
+      throw mesh_error(
+          file,
+          std::string("has ") + names.at(type) + " (" + std::to_string(count) +
+              ") where quadrilaterals or hexahedra are expected" + recombine);
     if (type != line_type && type != quadrilateral && type != hexahedron &&
         type != point_type)
       throw mesh_error(file,
