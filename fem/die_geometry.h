@@ -23,7 +23,8 @@ struct PunchFace {
   double angle = 0;  ///< of the rim against the face [rad]
 
   /// How far the face stands out towards the powder at distance r from the
-  /// axis, measured from its edge at `edge` [m]; negative: recessed.
+  /// axis, measured from its edge at `edge` [m]; negative: recessed. Beyond
+  /// its edge it goes straight on.
   double height(double r, double edge) const;
 };
 

@@ -1,26 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fem/die_settings.h>
+#include <fem/require.h>
 
-#include <sstream>
-#include <stdexcept>
+#include <string>
 
 namespace tamp::fem
 {
 namespace
 {
-template <class Value>
-void require(bool possible,
-             const char *name,
-             const Value &value,
-             const char *expected)
-{
-  if (possible)
-    return;
-  std::ostringstream message;
-  message << name << " is " << value << "; expected " << expected;
-  throw std::invalid_argument(message.str());
-}
-
 bool target_fits(StageKind kind, StageTarget target)
 {
   switch (kind) {
@@ -41,30 +28,20 @@ void check_stage(const Stage &stage, unsigned number)
 {
   const std::string name = "stage " + std::to_string(number) + ": ";
   require(target_fits(stage.kind, stage.target),
-          (name + "target").c_str(),
+          name + "target",
           static_cast<int>(stage.target),
           "one that fits the kind of stage: press to density, displacement, "
           "force or peak share; unload to displacement, force or peak share; "
           "eject to displacement or rim");
-  require(stage.value >= 0, (name + "value").c_str(), stage.value, ">= 0");
+  require(stage.value >= 0, name + "value", stage.value, ">= 0");
   if (stage.kind == StageKind::press && stage.target == StageTarget::density)
-    require(stage.value > 0, (name + "density").c_str(), stage.value, "> 0");
+    require(stage.value > 0, name + "density", stage.value, "> 0");
   require(stage.hold_share >= 0 && stage.hold_share < 1,
-          (name + "hold share").c_str(),
+          name + "hold share",
           stage.hold_share,
           "at least 0 and below 1");
 }
 } // namespace
-
-void DieGeometry::check() const
-{
-  if (!mesh_file.empty())
-    return;
-  require(radius > 0, "radius", radius, "> 0 m");
-  require(fill_height > 0, "fill height", fill_height, "> 0 m");
-  require(radial_elements > 0, "radial elements", radial_elements, "> 0");
-  require(axial_elements > 0, "axial elements", axial_elements, "> 0");
-}
 
 void DieSettings::check() const
 {

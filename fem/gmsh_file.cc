@@ -56,18 +56,18 @@ std::map<int, std::size_t> count_types(const std::string &content, int version)
   for (std::size_t i = 0; i < lines; ++i) {
     int type = 0;
     if (version == 2) { // number type ...
-      section >> number >> type;
+      if (!(section >> number >> type))
+        break;
       std::getline(section, rest);
       ++counts[type];
     } else { // dimension entity type count, then the elements
       int dimension = 0, entity = 0;
-      section >> dimension >> entity >> type >> number;
+      if (!(section >> dimension >> entity >> type >> number))
+        break;
       std::getline(section, rest);
       for (std::size_t e = 0; e < number && std::getline(section, rest); ++e)
         ++counts[type];
     }
-    if (!section)
-      break;
   }
   return counts;
 }

@@ -160,8 +160,7 @@ ImportedMesh import_geometry(const std::string &file,
   if (!has_gmsh())
     throw std::runtime_error("'" + file +
                              "' needs the program gmsh, which is not "
-                             "installed (package gmsh); a mesh file (.msh) "
-                             "needs it not");
+                             "installed (package gmsh); or give a mesh (.msh)");
   const TemporaryFolder folder;
   const std::string mesh = folder.file("mesh.msh");
   std::string command = "gmsh -3 -format msh41 -setnumber Mesh.Binary 0";

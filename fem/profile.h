@@ -17,22 +17,55 @@ struct ProfilePoint {
 
 /// A chain of straight lines and circular arcs in a plane, the trace of a rigid
 /// tool's surface. Seen along the chain the powder is on the left and the tool
-/// on the right. The first and the last piece go on straight for ever.
+/// on the right. The first and the last piece go on straight for ever, or the
+/// chain is closed. It must not cross itself, which is not checked.
 class Profile
 {
 public:
   using Point = dealii::Tensor<1, 2>;
 
-  /// @param corners  at least two; successive ones must differ [m].
-  /// @param radii    of the arc that rounds each inner corner; empty: sharp
-  ///                 corners [m]. Throws std::invalid_argument naming the
-  ///                 corner if an arc does not fit between its neighbours.
+  /// @param corners  at least two; successive ones must differ [m]. If the last
+  ///                 is the first again, the chain is closed there. A corner at
+  ///                 which the chain turns by less than 1e-9 is none.
+  /// @param radii    of the arc that rounds each inner corner, zero: sharp; of
+  ///                 a closed chain all corners are inner ones, the first comes
+  ///                 last. Empty: sharp corners [m].
+  /// Throws std::invalid_argument naming the corner if an arc does not fit
+  /// between its neighbours, or if the chain turns back on itself.
   explicit Profile(std::vector<Point> corners, std::vector<double> radii = {});
 
-  /// The closest place of the profile, as seen from `position`. On the arc's
-  /// side the curvature is that of the offset curve through `position`, so
-  /// that the normal's derivative is exact.
+  /// The closest place of the profile, as seen from `position`; one of them if
+  /// several are. The curvature is that of the offset curve through `position`,
+  /// so that the normal's derivative is exact: of an arc 1 / (distance from its
+  /// centre); a sharp corner is an arc of radius zero. Closer to an arc's
+  /// centre than 1e-9 of the chain's size, the normal is the mean of those at
+  /// the arc's ends and the curvature zero.
   ProfilePoint nearest(const Point &position) const;
+
+private:
+  struct Line {
+    Point start, direction;
+    double begin, end; ///< along the direction, from the start [m]
+
+    ProfilePoint seen_from(const Point &position) const;
+  };
+  /// A rounded or sharp corner.
+  struct Arc {
+    Point centre;
+    Point incoming, outgoing; ///< unit tangents at the ends
+    double radius;            ///< zero: sharp [m]
+    double side;              ///< 1: powder outside the circle, -1: inside
+
+    ProfilePoint seen_from(const Point &position, double smallest) const;
+  };
+  struct Corner;
+
+  void join(const std::vector<Corner> &corners, bool closed);
+
+  std::vector<Line> lines_;
+  std::vector<Arc> arcs_;
+  double size_ = 0;  ///< largest extent of the corners [m]
+  double slack_ = 0; ///< by which pieces overlap, against rounding [m]
 };
 } // namespace tamp::fem
 

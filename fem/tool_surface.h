@@ -9,7 +9,7 @@
 #include <deal.II/base/tensor.h>
 
 #include <array>
-#include <memory>
+#include <limits>
 #include <optional>
 
 namespace tamp::fem
@@ -25,21 +25,42 @@ struct SurfacePoint {
 class ToolSurface
 {
 public:
-  /// A profile in (r, z), turned about the z axis.
+  /// A profile in (r, z), turned about the z axis. It is looked at from r >= 0
+  /// only, but goes on beyond the axis: a face that crosses the axis must be
+  /// drawn on both sides. On the axis the normal is along z if the profile's
+  /// has a part along z, else along x.
   static ToolSurface revolved(Profile profile);
-  /// A profile in (x, y), drawn along z.
-  static ToolSurface extruded(Profile profile);
+  /// A profile in (x, y), drawn along z from below up to a flat rim at z =
+  /// `rim` [m]. Above the rim the distance is that to the rim: positive.
+  static ToolSurface
+  extruded(Profile profile,
+           double rim = std::numeric_limits<double>::infinity());
 
   SurfacePoint nearest(const dealii::Tensor<1, 3> &position) const;
+
+private:
+  enum class Kind { revolved, extruded };
+  ToolSurface(Kind kind, Profile profile, double rim);
+
+  SurfacePoint nearest_revolved(const dealii::Tensor<1, 3> &position) const;
+  SurfacePoint nearest_extruded(const dealii::Tensor<1, 3> &position) const;
+
+  Kind kind_;
+  Profile profile_;
+  double rim_;
 };
 
 /// The surfaces of the tools; none for a tool that is not there.
 using ToolSurfaces = std::array<std::optional<ToolSurface>, number_of_tools>;
 
-/// The tools of a filled die. The bore ends at a rim at the height of the upper
-/// punch's edge; the core rod reaches as high as the powder goes. For shape
-/// `file` the tools are read off the mesh: each is a profile through the nodes
-/// of its faces.
+/// The tools of a filled die, whose axis is the z axis. The lower punch's edge
+/// is at z = 0. The bore ends at a rim at the height of the upper punch's edge;
+/// the core rod has no ends. The punches go straight on beyond the bore. A
+/// square's wall is the whole square, whatever the section. For shape `file`
+/// the tools are read off the mesh, of which nothing else is used: each is a
+/// profile through the nodes of its faces, see fem/mesh_tools.h. Throws
+/// std::invalid_argument like DieGeometry::check(), std::runtime_error if the
+/// mesh's tools have another shape.
 ToolSurfaces make_tools(const DieGeometry &geometry, const Mesh &mesh);
 } // namespace tamp::fem
 
