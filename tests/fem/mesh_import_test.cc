@@ -227,6 +227,14 @@ TEST(MeshImport, ClockwiseCellsAreTurned)
   EXPECT_GT(mesh_quality(import_text(mesh).mesh).scaled_jacobian, 0.99);
 }
 
+TEST(MeshImport, LineEndsOfWindowsAreRead)
+{
+  std::string text;
+  for (const char c : two_cells().text())
+    text += c == '\n' ? "\r\n" : std::string(1, c);
+  EXPECT_EQ(complaint(text), "");
+}
+
 TEST(MeshImport, WrongFilesAreNamed)
 {
   EXPECT_THROW(import_mesh("nowhere.msh"), std::runtime_error);
