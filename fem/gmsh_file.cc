@@ -56,18 +56,18 @@ std::map<int, std::size_t> count_types(const std::string &content, int version)
   for (std::size_t i = 0; i < lines; ++i) {
     int type = 0;
     if (version == 2) { // number type ...
-      section >> number >> type;
+      if (!(section >> number >> type))
+        break;
       std::getline(section, rest);
       ++counts[type];
     } else { // dimension entity type count, then the elements
       int dimension = 0, entity = 0;
-      section >> dimension >> entity >> type >> number;
+      if (!(section >> dimension >> entity >> type >> number))
+        break;
       std::getline(section, rest);
       for (std::size_t e = 0; e < number && std::getline(section, rest); ++e)
         ++counts[type];
     }
-    if (!section)
-      break;
   }
   return counts;
 }
@@ -84,10 +84,10 @@ bool check_types(const std::string &file,
                           "with Recombine in an Extrude)";
   for (const auto &[type, count] : counts) {
     if (names.count(type) != 0)
-      throw mesh_error(file,
-                       "has " + std::to_string(count) + " " + names.at(type) +
-                           " where quadrilaterals or hexahedra are expected" +
-                           recombine);
+      throw mesh_error(
+          file,
+          std::string("has ") + names.at(type) + " (" + std::to_string(count) +
+              ") where quadrilaterals or hexahedra are expected" + recombine);
     if (type != line_type && type != quadrilateral && type != hexahedron &&
         type != point_type)
       throw mesh_error(file,

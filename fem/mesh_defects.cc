@@ -33,18 +33,16 @@ std::string describe_twins(const Mesh &mesh)
     }
   if (!first)
     return "";
-  return std::to_string(twins) +
-         " nodes lie where others do but are not joined with them, the first "
-         "at " +
+  return "has nodes that lie where others do but are not joined with them: " +
+         std::to_string(twins) + ", the first at " +
          describe_place(mesh, mesh.nodes[*first]) +
          "; use 'Coherence;' in the geometry or 'Coherence Mesh;' after "
          "meshing";
 }
 
-std::string describe_overlaps(const Mesh &mesh,
-                              const std::vector<MeshFace> &faces)
+std::string describe_overlaps(const Mesh &mesh)
 {
-  for (const MeshFace &face : faces)
+  for (const MeshFace &face : mesh_faces(mesh))
     if (face.number_of_cells > 2)
       return "cells overlap: " + std::to_string(face.number_of_cells) +
              " of them share the face at " +
@@ -52,38 +50,6 @@ std::string describe_overlaps(const Mesh &mesh,
                  mesh,
                  centre_of(mesh, {face.nodes.data(), mesh.nodes_per_face()}));
   return "";
-}
-
-/// Cells that hang together through faces have one number.
-std::string describe_islands(const Mesh &mesh,
-                             const std::vector<MeshFace> &faces)
-{
-  std::vector<std::size_t> parent(mesh.number_of_cells());
-  std::iota(parent.begin(), parent.end(), std::size_t(0));
-  const auto root = [&](std::size_t cell) {
-    while (parent[cell] != cell)
-      cell = parent[cell] = parent[parent[cell]];
-    return cell;
-  };
-  for (const MeshFace &face : faces)
-    if (face.number_of_cells == 2)
-      parent[root(face.neighbour)] = root(face.cell);
-  std::size_t islands = 0, other = 0;
-  for (std::size_t cell = 0; cell < parent.size(); ++cell)
-    if (root(cell) == cell) {
-      ++islands;
-      if (root(0) != cell)
-        other = cell;
-    }
-  if (islands == 1)
-    return "";
-  return "has " + std::to_string(islands) +
-         " parts that share no faces, one of them at " +
-         describe_place(
-             mesh,
-             centre_of(mesh,
-                       {mesh.nodes_of_cell(other), mesh.nodes_per_cell()})) +
-         "; mesh one body of powder";
 }
 
 /// A node of one face that lies within an edge of another.
@@ -112,15 +78,40 @@ std::optional<unsigned> find_hanging_node(const Mesh &mesh,
 }
 } // namespace
 
-std::string describe_defect(const Mesh &mesh)
+std::string describe_joints(const Mesh &mesh)
 {
-  const std::vector<MeshFace> faces = mesh_faces(mesh);
-  std::string defect = describe_twins(mesh);
-  if (defect.empty())
-    defect = describe_overlaps(mesh, faces);
-  if (defect.empty())
-    defect = describe_islands(mesh, faces);
-  return defect;
+  const std::string twins = describe_twins(mesh);
+  return twins.empty() ? describe_overlaps(mesh) : twins;
+}
+
+std::string describe_islands(const Mesh &mesh)
+{
+  std::vector<std::size_t> parent(mesh.number_of_cells());
+  std::iota(parent.begin(), parent.end(), std::size_t(0));
+  const auto root = [&](std::size_t cell) {
+    while (parent[cell] != cell)
+      cell = parent[cell] = parent[parent[cell]];
+    return cell;
+  };
+  for (const MeshFace &face : mesh_faces(mesh))
+    if (face.number_of_cells == 2)
+      parent[root(face.neighbour)] = root(face.cell);
+  std::size_t islands = 0, other = 0;
+  for (std::size_t cell = 0; cell < parent.size(); ++cell)
+    if (root(cell) == cell) {
+      ++islands;
+      if (root(0) != cell)
+        other = cell;
+    }
+  if (islands == 1)
+    return "";
+  return "has " + std::to_string(islands) +
+         " parts that share no faces, one of them at " +
+         describe_place(
+             mesh,
+             centre_of(mesh,
+                       {mesh.nodes_of_cell(other), mesh.nodes_per_cell()})) +
+         "; mesh one body of powder";
 }
 
 std::string describe_bare_faces(const GmshFile &file,
@@ -131,11 +122,14 @@ std::string describe_bare_faces(const GmshFile &file,
     return "has a hanging node at " + describe_place(mesh, mesh.nodes[*node]) +
            ": it lies within an edge of another cell; give both sides the "
            "same number of elements";
+  std::string text = describe_islands(mesh);
+  if (!text.empty())
+    return text;
   const FaceKey key = face_key(faces.front().nodes, mesh.nodes_per_face());
   const auto name = file.names.find(file.face_ids.at(key));
-  std::string text =
-      std::to_string(faces.size()) + " faces of the boundary belong to no " +
-      "tool, the first at " +
+  text =
+      "has faces on its boundary that belong to no tool: " +
+      std::to_string(faces.size()) + ", the first at " +
       describe_place(
           mesh,
           centre_of(mesh, {faces.front().nodes.data(), mesh.nodes_per_face()}));

@@ -11,14 +11,16 @@
 
 namespace tamp::fem
 {
-/// What is wrong with how the cells hang together, for people: nodes that
-/// coincide but are not joined, cells that overlap, parts that do not touch.
-/// Empty if nothing is.
-std::string describe_defect(const Mesh &mesh);
+/// Nodes that coincide but are not joined, or cells that overlap, for people;
+/// empty if there are none.
+std::string describe_joints(const Mesh &mesh);
+
+/// Parts of the mesh that share no faces, for people; empty if it is one.
+std::string describe_islands(const Mesh &mesh);
 
 /// What to say of boundary faces that belong to no tool, axis or plane of
-/// symmetry: how many, where, under which other name, and if they come from
-/// hanging nodes.
+/// symmetry: how many, where and under which other name, or that they come from
+/// hanging nodes or a body apart.
 /// @param faces  at least one.
 std::string describe_bare_faces(const GmshFile &file,
                                 const std::vector<MeshFace> &faces);

@@ -173,6 +173,13 @@ void check_cells(const std::string &file, ImportedMesh &imported)
                                "; 0.3 or more is good.");
 }
 
+/// Throws unless the defect is empty.
+void refuse(const std::string &file, const std::string &defect)
+{
+  if (!defect.empty())
+    throw mesh_error(file, defect);
+}
+
 /// Throws unless the upper punch stands above the lower one.
 void check_punches(const std::string &file, const Mesh &mesh)
 {
@@ -222,8 +229,8 @@ ImportedMesh import_mesh(const std::string &file)
   ImportedMesh imported;
   if (read.unused_nodes > 0)
     imported.remarks.push_back(
-        std::to_string(read.unused_nodes) +
-        " nodes of the mesh file belong to no cell and were left out.");
+        "Nodes of the mesh file that belong to no cell were left out: " +
+        std::to_string(read.unused_nodes) + ".");
   check_names(file, read);
   const bool quarter =
       std::any_of(read.names.begin(), read.names.end(), [](const auto &name) {
@@ -235,10 +242,9 @@ ImportedMesh import_mesh(const std::string &file)
   const double extent = check_extent(file, imported);
   check_side(file, read.mesh, extent);
   check_cells(file, imported);
-  const std::string defect = describe_defect(read.mesh);
-  if (!defect.empty())
-    throw mesh_error(file, defect);
+  refuse(file, describe_joints(read.mesh));
   find_parts(file, extent, read);
+  refuse(file, describe_islands(read.mesh));
   check_punches(file, read.mesh);
   renumber_from_below(read.mesh);
   imported.mesh = std::move(read.mesh);

@@ -2,6 +2,7 @@
 #include <fem/build_mesh.h>
 #include <fem/mesh_faces.h>
 #include <fem/mesh_quality.h>
+#include <fem/tool_surface.h>
 
 #include <algorithm>
 #include <cmath>
@@ -250,6 +251,36 @@ TEST(BuildMesh, NodesOfToolsLieOnTheTools)
                   geometry.lower_face.height(radius_of(node), geometry.radius),
                   tolerance);
   }
+}
+
+TEST(BuildMesh, ToolsTouchTheirNodesAndHoldNoOthers)
+{
+  using Kind = PunchFace::Kind;
+  for (DieGeometry geometry : all_dies(6))
+    for (const Kind kind : {Kind::flat,
+                            Kind::convex,
+                            Kind::concave,
+                            Kind::chamfer,
+                            Kind::bevel}) {
+      if (geometry.shape == DieShape::square && kind != Kind::flat)
+        continue;
+      geometry.lower_face = {kind, 10e-3, 1e-3, 0.5};
+      geometry.upper_face = {kind, 8e-3, 2e-3, 0.3};
+      const Mesh mesh = build_mesh(geometry);
+      const ToolSurfaces tools = make_tools(geometry, mesh);
+      const double tolerance = rounding * geometry.radius;
+      for (unsigned tool = 0; tool < number_of_tools; ++tool) {
+        if (!tools[tool])
+          continue;
+        for (const unsigned node : mesh.tools[tool].nodes)
+          EXPECT_NEAR(
+              tools[tool]->nearest(mesh.nodes[node]).distance, 0, tolerance)
+              << name_of(geometry);
+        for (const auto &node : mesh.nodes)
+          EXPECT_GT(tools[tool]->nearest(node).distance, -tolerance)
+              << name_of(geometry);
+      }
+    }
 }
 
 TEST(BuildMesh, HeldAreAxisAndPlanesOfSymmetry)
