@@ -4,9 +4,9 @@
 #include <apps/schedule.h>
 #include <apps/value_checks.h>
 #include <fem/die_mesh.h>
+#include <fem/punch_area.h>
 
 #include <cmath>
-#include <numbers>
 #include <stdexcept>
 
 namespace tamp::apps
@@ -14,46 +14,6 @@ namespace tamp::apps
 namespace
 {
 constexpr Range a_strain{0, 0.1, true, false};
-
-void declare_geometry(ParameterTable &table)
-{
-  table.enter("Die");
-  table.choice("Shape",
-               "cylinder",
-               {"cylinder", "file"},
-               "A cylinder of Radius and Fill height, or a mesh from a file");
-  table.quantity("Radius",
-                 "6 mm",
-                 dimension::length,
-                 positive,
-                 "Of the die and of its punches");
-  table.quantity("Fill height",
-                 "7 mm",
-                 dimension::length,
-                 positive,
-                 "Of the powder at the start");
-  table.choice("Symmetry",
-               "axisymmetric",
-               {"axisymmetric"},
-               "What is computed of the compact");
-  table.choice("Upper punch", "flat", {"flat"}, "Its face");
-  table.choice("Lower punch", "flat", {"flat"}, "Its face");
-  table.text("Mesh file",
-             "",
-             "A gmsh mesh of quadrilaterals with the physical names axis, "
-             "die_wall, punch_top, punch_bottom; the path starts at the "
-             "input's folder");
-  table.integers("Elements",
-                 "4, 7",
-                 "Elements along the radius and along the height; each has "
-                 "four material points");
-  table.quantity("Wall friction coefficient",
-                 "0.2",
-                 dimension::number,
-                 not_negative,
-                 "mu between powder and die wall");
-  table.leave();
-}
 
 void declare_schedule(ParameterTable &table)
 {
@@ -83,9 +43,20 @@ void declare_tolerances(ParameterTable &table)
                  a_strain,
                  "Last change of the displacement over the step's increment, "
                  "which counts as at least 0.5 % of the height");
-  table.choice(
-      "Linear algebra", "petsc", {"petsc"}, "Who solves linear systems");
-  table.choice("Linear solver", "direct", {"direct"}, "direct: MUMPS");
+  table.choice("Linear algebra",
+               "petsc",
+               {"petsc", "trilinos"},
+               "Who solves linear systems");
+  table.choice("Linear solver",
+               "automatic",
+               {"automatic", "direct", "iterative"},
+               "direct: MUMPS; iterative: Krylov with algebraic multigrid "
+               "(GAMG, ML); automatic: iterative above 60000 unknowns");
+  table.choice("Element",
+               "standard",
+               {"standard", "f-bar"},
+               "f-bar: volume changes as at the centre of the element, which "
+               "frees nearly dense powder from locking");
   table.choice("Nonlinear method",
                "automatic",
                {"automatic", "newton", "anderson"},
@@ -144,44 +115,17 @@ bool automatic(const ParameterTable &table,
   return word == "automatic" ? otherwise : word == yes;
 }
 
-void read_geometry(const ParameterTable &table, fem::DieSettings &die)
+fem::ImportedMesh make_mesh(const ParameterTable &table,
+                            const fem::DieGeometry &geometry)
 {
-  fem::DieGeometry &geometry = die.geometry;
-  geometry.radius = table.number("Die/Radius");
-  geometry.fill_height = table.number("Die/Fill height");
-  const auto elements = table.indices("Die/Elements");
-  if (elements.size() != 2 || elements[0] == 0 || elements[1] == 0)
-    table.complain("Die/Elements",
-                   "expected two whole numbers > 0, along the radius and "
-                   "along the height, for example 4, 7");
-  geometry.radial_elements = static_cast<unsigned>(elements[0]);
-  geometry.axial_elements = static_cast<unsigned>(elements[1]);
-  const std::string mesh = table.word("Die/Mesh file");
-  const bool from_file = table.word("Die/Shape") == "file";
-  if (mesh.empty() && from_file)
-    table.complain("Die/Shape", "expected Die/Mesh file to name a mesh");
-  if (!mesh.empty()) {
-    const auto path = table.folder("Die/Mesh file") / mesh;
-    if (!std::filesystem::is_regular_file(path))
-      table.complain("Die/Mesh file",
-                     "there is no file '" + path.string() +
-                         "'; expected a gmsh mesh (.msh)");
-    if (!from_file)
-      table.complain("Die/Mesh file",
-                     "it needs Die/Shape = file, which is " +
-                         table.word("Die/Shape"));
-    geometry.mesh_file = path.string();
-  }
-  die.wall_friction_coefficient = table.number("Die/Wall friction coefficient");
-}
-
-fem::DieMesh make_mesh(const ParameterTable &table,
-                       const fem::DieGeometry &geometry)
-{
+  const char *source =
+      geometry.mesh_file.empty() ? "Die/Shape" : "Die/Mesh file";
   try {
-    return fem::DieMesh(geometry);
+    return fem::die_mesh(geometry);
   } catch (const std::runtime_error &error) {
-    table.complain("Die/Mesh file", error.what());
+    table.complain(source, error.what());
+  } catch (const std::invalid_argument &error) {
+    table.complain(source, error.what());
   }
 }
 
@@ -192,6 +136,10 @@ void read_solver(const ParameterTable &table, bool cells, fem::DieSettings &die)
                       ? fem::NonlinearMethod::anderson
                       : fem::NonlinearMethod::newton;
   solver.force_tolerance = table.number("Solver/Force tolerance");
+  solver.f_bar = table.word("Solver/Element") == "f-bar";
+  solver.linear.algebra = table.word("Solver/Linear algebra") == "trilinos"
+                              ? fem::LinearAlgebra::trilinos
+                              : fem::LinearAlgebra::petsc;
   solver.displacement_tolerance = table.number("Solver/Displacement tolerance");
   solver.maximum_iterations =
       static_cast<unsigned>(table.whole("Solver/Maximum iterations"));
@@ -214,14 +162,14 @@ void read_solver(const ParameterTable &table, bool cells, fem::DieSettings &die)
 
 void read_schedule(const ParameterTable &table,
                    bool cells,
-                   double radius,
+                   double punch_area,
                    fem::DieSettings &die)
 {
   const std::string path = "Schedule/Stages";
   try {
     die.stages = parse_schedule(
         table.word(path),
-        {std::numbers::pi * radius * radius, cells ? 0.05 : 0.0});
+        {punch_area, cells ? 0.05 : 0.0});
   } catch (const InputError &error) {
     table.complain(path, error.what());
   }
@@ -245,9 +193,8 @@ void read_schedule(const ParameterTable &table,
 }
 } // namespace
 
-void declare_die(ParameterTable &table)
+void declare_press(ParameterTable &table)
 {
-  declare_geometry(table);
   declare_schedule(table);
   table.enter("Solver");
   declare_tolerances(table);
@@ -255,14 +202,15 @@ void declare_die(ParameterTable &table)
   table.leave();
 }
 
-std::size_t read_die(const ParameterTable &table,
-                     coupling::MaterialKind kind,
-                     fem::DieSettings &die)
+fem::ImportedMesh read_press(const ParameterTable &table,
+                             coupling::MaterialKind kind,
+                             fem::DieSettings &die)
 {
   const bool cells = kind == coupling::MaterialKind::unit_cell;
-  read_geometry(table, die);
-  const fem::DieMesh mesh = make_mesh(table, die.geometry);
-  read_schedule(table, cells, mesh.radius(), die);
+  fem::ImportedMesh imported = make_mesh(table, die.geometry);
+  die.geometry.section = imported.mesh.section;
+  read_schedule(
+      table, cells, fem::punch_area(imported.mesh, fem::upper_punch), die);
   read_solver(table, cells, die);
   check_values(table,
                {"Schedule/Stages",
@@ -279,6 +227,6 @@ std::size_t read_die(const ParameterTable &table,
                 "Solver/Step growth",
                 "Solver/Step cut"},
                [&] { die.check(); });
-  return mesh.number_of_points();
+  return imported;
 }
 } // namespace tamp::apps

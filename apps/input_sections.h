@@ -3,6 +3,7 @@
 #define apps_input_sections_h
 
 #include <apps/run_input.h>
+#include <fem/die_mesh.h>
 
 namespace tamp::apps
 {
@@ -29,11 +30,11 @@ void read_die_shape(const ParameterTable &table, fem::DieSettings &die);
 /// @name Schedule, Solver
 /// @{
 void declare_press(ParameterTable &table);
-/// The kind of material decides what `automatic` means. Returns the number of
-/// the die's material points.
-std::size_t read_press(const ParameterTable &table,
-                     coupling::MaterialKind kind,
-                     fem::DieSettings &die);
+/// The kind of material decides what `automatic` means. Returns the mesh
+/// of the powder.
+fem::ImportedMesh read_press(const ParameterTable &table,
+                             coupling::MaterialKind kind,
+                             fem::DieSettings &die);
 /// @}
 } // namespace tamp::apps
 

@@ -166,7 +166,8 @@ void declare_parameters(ParameterTable &table)
   declare_pair(table);
   declare_material(table);
   declare_path(table);
-  declare_die(table);
+  declare_die_shape(table);
+  declare_press(table);
   declare_output(table);
 }
 
@@ -187,9 +188,11 @@ RunInput read_input(const ParameterTable &table, Need need)
     check_packing(table, input.material);
   if (everything || need == Need::probe)
     read_path(table, input);
-  if (everything || need == Need::die)
-    check_grain_points(
-        table, input, read_die(table, input.material.kind, input.die));
+  if (everything || need == Need::die) {
+    read_die_shape(table, input.die);
+    input.mesh = read_press(table, input.material.kind, input.die);
+    check_grain_points(table, input, input.mesh.mesh.number_of_points());
+  }
   read_replicas(table, need, input);
   input.files = files_of(table, input);
   return input;

@@ -6,6 +6,7 @@
 #include <apps/probe_path.h>
 #include <coupling/material_factory.h>
 #include <fem/die_settings.h>
+#include <fem/mesh_import.h>
 
 #include <filesystem>
 #include <string>
@@ -32,6 +33,7 @@ struct RunInput {
   ProbePath path;
   double stress_tolerance = 1e-3; ///< of the probe's stress control [-]
   fem::DieSettings die;
+  fem::ImportedMesh mesh; ///< of the powder in the die
   PairInput pair;
   OutputSettings output;
   std::size_t replicas = 1; ///< packings that tamp pack makes

@@ -3,13 +3,13 @@
 #include <fem/equilibrium.h>
 #include <fem/field_output.h>
 #include <fem/press.h>
+#include <fem/punch_area.h>
 #include <fem/schedule.h>
 #include <fem/stop_watch.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace tamp::fem
 {
@@ -40,23 +40,6 @@ Densities densities(const Compact &compact)
   return {sums[0] / sums[1],
           -compact.ranks().largest(-smallest),
           compact.ranks().largest(largest)};
-}
-
-/// Area of a tool's faces, seen along the pressing axis [m2].
-double projected_area(const Mesh &mesh, Tool tool)
-{
-  const auto &faces = mesh.tools[tool].faces;
-  double area = 0;
-  for (std::size_t i = 0; i < faces.size(); i += mesh.nodes_per_face()) {
-    const auto corner = [&](unsigned a) { return mesh.nodes[faces[i + a]]; };
-    if (mesh.is_axisymmetric())
-      area += std::numbers::pi * std::abs(corner(1)[0] * corner(1)[0] -
-                                          corner(0)[0] * corner(0)[0]);
-    else
-      area += 0.5 * std::abs(dealii::cross_product_3d(
-                        corner(3) - corner(0), corner(2) - corner(1))[2]);
-  }
-  return area * mesh.multiplicity();
 }
 
 /// Smallest height of an element along the die wall [m].
@@ -122,7 +105,7 @@ struct DieModel::Implementation {
               ranks),
         equilibrium(
             press, chosen.solver, largest_concentration * chosen.steps.maximum),
-        area(projected_area(data, upper_punch)),
+        area(punch_area(data, upper_punch)),
         upper_edge(edge_height(data.nodes, upper_punch)),
         lower_edge(edge_height(data.nodes, lower_punch)), schedule(chosen)
   {
