@@ -22,11 +22,21 @@ void declare_schedule(ParameterTable &table)
       "Stages",
       "press to density 0.85; unload to 5 % of peak; eject by 1 mm "
       "holding 5 % of peak",
-      "Divided by semicolons: press to density D, displacement L, force "
-      "F or pressure P; unload to R % of peak, force F, pressure P, or "
-      "by L; eject to rim (until the upper face is there) or by L, holding R % "
-      "of peak (upper punch); "
-      "hold N steps");
+      "Divided by semicolons: press (upper, lower or both: the punches; "
+      "nothing "
+      "said: upper) to density D, displacement L (of each moving punch), force "
+      "F or pressure P; unload (the punch that pressed; upper if both did) to "
+      "R % of peak, force F, pressure P, to nothing (until it has left the "
+      "compact), or by L; eject to rim (until the upper face is there), to out "
+      "(until the compact has left the die) or by L, holding R % of peak "
+      "(upper "
+      "punch) or freely (without it), by withdrawal (the die is drawn down; "
+      "otherwise the lower punch goes up); hold N steps. Nothing said, unit "
+      "cells are ejected holding 5 % of peak, continua freely");
+  table.flag("Floating die",
+             false,
+             "Friction alone carries the die while punches press, hold and "
+             "unload; it stands still while the compact is ejected");
   table.leave();
 }
 
@@ -160,6 +170,28 @@ void read_solver(const ParameterTable &table, bool cells, fem::DieSettings &die)
                        table.word("Solver/First step"));
 }
 
+/// What grains without adhesion cannot do.
+std::string problem_of_cells(const fem::Stage &stage)
+{
+  if (stage.kind == fem::StageKind::unload && stage.frees())
+    return "unit cells cannot be unloaded to no force at all: grains without "
+           "adhesion then keep no stress, and any opening is an equilibrium. "
+           "Expected a few per cent of the peak, for example 'unload to 5 % "
+           "of peak'";
+  if (stage.kind == fem::StageKind::eject && stage.frees())
+    return "a free ejection is not possible with unit cells: grains without "
+           "adhesion fall apart as soon as the axial stress is gone. Expected "
+           "an upper punch that keeps a few per cent of the peak, for example "
+           "'eject to rim holding 5 % of peak', or a continuum law with "
+           "cohesion";
+  if (stage.target == fem::StageTarget::out)
+    return "unit cells cannot be pushed out of the die: grains without "
+           "adhesion fall apart as soon as the wall is gone. Expected 'eject "
+           "to rim holding 5 % of peak' at most, or a continuum law with "
+           "cohesion";
+  return {};
+}
+
 void read_schedule(const ParameterTable &table,
                    bool cells,
                    double punch_area,
@@ -174,22 +206,10 @@ void read_schedule(const ParameterTable &table,
     table.complain(path, error.what());
   }
   for (const fem::Stage &stage : die.stages)
-    if (cells && stage.kind == fem::StageKind::unload && stage.value <= 0 &&
-        stage.target != fem::StageTarget::displacement)
-      table.complain(path,
-                     "unit cells cannot be unloaded to no force at all: grains "
-                     "without adhesion then keep no stress, and any opening is "
-                     "an equilibrium. Expected a few per cent of the peak, for "
-                     "example 'unload to 5 % of peak'");
-  for (const fem::Stage &stage : die.stages)
-    if (cells && stage.kind == fem::StageKind::eject && stage.hold_share <= 0)
-      table.complain(
-          path,
-          "a free ejection is not possible with unit cells: grains without "
-          "adhesion fall apart as soon as the axial stress is gone. Expected "
-          "an upper punch that keeps a few per cent of the peak, for example "
-          "'eject to rim holding 5 % of peak', or a continuum law with "
-          "cohesion");
+    if (const std::string problem = problem_of_cells(stage);
+        cells && !problem.empty())
+      table.complain(path, problem);
+  die.floating_die = table.on("Schedule/Floating die");
 }
 } // namespace
 
@@ -214,6 +234,7 @@ fem::ImportedMesh read_press(const ParameterTable &table,
   read_solver(table, cells, die);
   check_values(table,
                {"Schedule/Stages",
+                "Schedule/Floating die",
                 "Die/Radius",
                 "Die/Fill height",
                 "Die/Wall friction coefficient",

@@ -17,11 +17,25 @@ double above_zero(StageReader &reader, const Dimension &dimension)
   return value;
 }
 
+double not_negative(StageReader &reader, const Dimension &dimension)
+{
+  const double value = reader.quantity(dimension);
+  if (!(value >= 0))
+    reader.fail("a value >= 0 before");
+  return value;
+}
+
 void read_press(StageReader &reader,
                 fem::Stage &stage,
                 const ScheduleContext &context)
 {
-  reader.expect({"to"});
+  const std::size_t first = reader.expect({"to", "upper", "lower", "both"});
+  if (first > 0) {
+    constexpr fem::Pressing who[] = {
+        fem::Pressing::upper, fem::Pressing::lower, fem::Pressing::both};
+    stage.pressing = who[first - 1];
+    reader.expect({"to"});
+  }
   switch (reader.expect({"density", "displacement", "force", "pressure"})) {
   case 0:
     stage.target = StageTarget::density;
@@ -61,14 +75,41 @@ void read_unload(StageReader &reader,
     return;
   }
   reader.expect({"to", "by"});
-  stage.target = StageTarget::force;
-  if (reader.accept("force"))
-    stage.value = reader.quantity(dimension::force);
-  else if (reader.accept("pressure"))
-    stage.value = reader.quantity(dimension::pressure) * context.punch_area;
-  else {
+  if (reader.at_number()) {
     stage.target = StageTarget::peak_share;
     stage.value = share_of_peak(reader);
+    return;
+  }
+  stage.target = StageTarget::force;
+  // The last one is no word, but belongs into the complaint.
+  switch (reader.expect({"force", "pressure", "nothing", "R % of peak"})) {
+  case 0:
+    stage.value = not_negative(reader, dimension::force);
+    break;
+  case 1:
+    stage.value =
+        not_negative(reader, dimension::pressure) * context.punch_area;
+    break;
+  default:
+    stage.target = StageTarget::nothing;
+    stage.value = 0;
+  }
+}
+
+/// "holding R % of peak" or "freely", "by withdrawal", in any order.
+void read_way_out(StageReader &reader, fem::Stage &stage)
+{
+  std::vector<std::string> words{"holding", "freely", "by"};
+  while (!reader.done() && !words.empty()) {
+    const std::string word = words[reader.expect(words)];
+    std::erase(words, word);
+    if (word == "by") {
+      reader.expect({"withdrawal"});
+      stage.ejection = fem::Ejection::withdrawal;
+      continue;
+    }
+    stage.hold_share = word == "holding" ? share_of_peak(reader) : 0;
+    std::erase(words, word == "holding" ? "freely" : "holding");
   }
 }
 
@@ -76,16 +117,16 @@ void read_eject(StageReader &reader,
                 fem::Stage &stage,
                 const ScheduleContext &context)
 {
+  stage.value = 0;
   if (reader.expect({"to", "by"}) == 0) {
-    reader.expect({"rim"});
-    stage.target = StageTarget::rim;
-    stage.value = 0;
+    constexpr StageTarget targets[] = {StageTarget::rim, StageTarget::out};
+    stage.target = targets[reader.expect({"rim", "out"})];
   } else {
     stage.target = StageTarget::displacement;
     stage.value = above_zero(reader, dimension::length);
   }
-  stage.hold_share = reader.accept("holding") ? share_of_peak(reader)
-                                              : context.default_hold_share;
+  stage.hold_share = context.default_hold_share;
+  read_way_out(reader, stage);
 }
 } // namespace
 

@@ -16,9 +16,11 @@ struct ScheduleContext {
 };
 
 /// Reads stages divided by semicolons:
-///   press to density D | to displacement L | to force F | to pressure P
-///   unload to R % of peak | to force F | to pressure P | by L
-///   eject to rim | by L, then: holding R % of peak
+///   press [upper|lower|both] to density D | to displacement L | to force F
+///     | to pressure P; it says nothing: the upper punch
+///   unload to R % of peak | to force F | to pressure P | to nothing | by L
+///   eject to rim | to out | by L, then, in any order: holding R % of peak or
+///     freely; by withdrawal
 ///   hold N steps
 /// Throws InputError naming the stage and the word.
 std::vector<fem::Stage> parse_schedule(const std::string &stages,

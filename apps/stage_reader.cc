@@ -69,6 +69,13 @@ std::size_t StageReader::expect(const std::vector<std::string> &words)
   fail(expected);
 }
 
+bool StageReader::at_number() const
+{
+  return !done() &&
+         std::string_view("0123456789.+-").find(words_[next_].front()) !=
+             std::string_view::npos;
+}
+
 Quantity StageReader::any_quantity()
 {
   if (done())

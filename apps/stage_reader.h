@@ -33,6 +33,8 @@ public:
   unsigned whole();
   /// Takes all that is left as one text, a name of a file; must not be empty.
   std::string rest();
+  /// Does the next word begin like a number?
+  bool at_number() const;
   bool done() const { return next_ == words_.size(); }
   /// Throws if words are left.
   void finish() const;

@@ -33,9 +33,9 @@ enum class Ejection {
 /// the one that pressed last, the upper one if both did: the lower one stays,
 /// as in a press. `eject` pushes the compact out of the die, or draws the die
 /// off it, while the upper punch keeps `hold_share` of the peak force; zero
-/// sets the compact free: the upper punch leaves it first, and then goes up
-/// with the lower one. `hold` does `steps` steps at rest. Unloading to a force
-/// of zero is unloading to nothing.
+/// sets the compact free: the upper punch leaves it first, and then goes ahead
+/// of it. `hold` does `steps` steps at rest. Unloading to a force of zero is
+/// unloading to nothing.
 struct Stage {
   StageKind kind = StageKind::press;
   StageTarget target = StageTarget::density;

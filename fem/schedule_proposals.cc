@@ -16,6 +16,9 @@ constexpr double landing_share = 0.05;
 /// force should vanish: less steeply than before if it falls as in Hertz's
 /// contact. Then it is clear of the compact by this share of the height.
 constexpr double release_excess = 2, clearance = 1e-3;
+/// A free punch leads the compact on its way out by this share of the way: what
+/// friction had shortened springs back, and must not touch it.
+constexpr double lead = 0.05;
 } // namespace
 
 Proposal Schedule::close_by(double length, const PressState &state) const
@@ -119,7 +122,9 @@ Proposal Schedule::eject(const PressState &state) const
   proposal.motion[lower_punch].displacement = pushes ? portion.length : 0;
   proposal.motion[die_wall].displacement = pushes ? 0 : -portion.length;
   upper.displacement = pushes ? portion.length : 0;
-  if (target_force_ > 0) {
+  if (target_force_ <= 0) {
+    upper.displacement += lead * portion.length;
+  } else {
     upper.loaded = true;
     upper.force = target_force_;
     if (last_driving_ > 0)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <apps/contact_parameters.h>
+#include <apps/parameter_table.h>
 #include <apps/probe_path.h>
+#include <apps/run_input.h>
 #include <apps/schedule.h>
 #include <apps/units.h>
 
@@ -9,12 +11,14 @@
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <tuple>
 #include <unistd.h>
 
 using namespace tamp;
 using namespace tamp::apps;
 
 using Control = fem::ComponentTarget::Control;
+using StageTarget = fem::StageTarget;
 
 TEST(PairStages, GoOnFromWhereTheLastOneEnded)
 {
@@ -63,6 +67,92 @@ TEST(Schedule, AnEjectionThatSaysNothingHoldsTheDefault)
   EXPECT_DOUBLE_EQ(stages[0].hold_share, 0.03);
 }
 
+TEST(Schedule, ReadsWhoPresses)
+{
+  const auto stages = parse_schedule("press upper to density 0.7; press lower "
+                                     "to displacement 1 mm; press both "
+                                     "to force 2 kN; press to density 0.8",
+                                     {});
+  ASSERT_EQ(stages.size(), 4u);
+  EXPECT_EQ(stages[0].pressing, fem::Pressing::upper);
+  EXPECT_EQ(stages[1].pressing, fem::Pressing::lower);
+  EXPECT_EQ(stages[1].target, StageTarget::displacement);
+  EXPECT_EQ(stages[2].pressing, fem::Pressing::both);
+  EXPECT_DOUBLE_EQ(stages[2].value, 2e3);
+  EXPECT_EQ(stages[3].pressing, fem::Pressing::upper);
+}
+
+TEST(Schedule, ReadsUnloadingToNothing)
+{
+  for (const char *text :
+       {"unload to nothing", "unload to force 0 N", "unload to 0 % of peak"})
+    EXPECT_TRUE(parse_schedule(text, {}).at(0).frees()) << text;
+  EXPECT_FALSE(parse_schedule("unload to 1 % of peak", {}).at(0).frees());
+  EXPECT_FALSE(parse_schedule("unload by 1 um", {}).at(0).frees());
+}
+
+TEST(Schedule, ReadsHowACompactLeavesTheDie)
+{
+  const fem::Ejection push = fem::Ejection::push,
+                      withdrawal = fem::Ejection::withdrawal;
+  const std::tuple<const char *, StageTarget, double, fem::Ejection> cases[] = {
+      {"eject to rim", StageTarget::rim, 0.03, push},
+      {"eject to out freely", StageTarget::out, 0, push},
+      {"eject to out holding 7 % of peak", StageTarget::out, 0.07, push},
+      {"eject by 2 mm by withdrawal",
+       StageTarget::displacement,
+       0.03,
+       withdrawal},
+      {"eject to rim freely by withdrawal", StageTarget::rim, 0, withdrawal},
+      {"eject to rim by withdrawal holding 5 % of peak",
+       StageTarget::rim,
+       0.05,
+       withdrawal}};
+  for (const auto &[text, target, share, way] : cases) {
+    const auto stages = parse_schedule(text, {.default_hold_share = 0.03});
+    ASSERT_EQ(stages.size(), 1u) << text;
+    EXPECT_EQ(stages[0].target, target) << text;
+    EXPECT_DOUBLE_EQ(stages[0].hold_share, share) << text;
+    EXPECT_EQ(stages[0].ejection, way) << text;
+  }
+}
+
+TEST(Schedule, UnitCellsStayLoadedAndInTheDie)
+{
+  for (const char *text : {"press to density 0.8; unload to nothing",
+                           "press to density 0.8; unload to force 0 N",
+                           "press to density 0.8; eject to rim freely",
+                           "press to density 0.8; eject to out"}) {
+    ParameterTable table;
+    declare_parameters(table);
+    table.set(std::string("Schedule/Stages = ") + text);
+    table.set("Schedule/Floating die = true");
+    EXPECT_THROW(read_input(table, Need::die), InputError) << text;
+    table.set("Material/Type = drucker-prager cap");
+    const RunInput input = read_input(table, Need::die);
+    EXPECT_EQ(input.die.stages.size(), 2u) << text;
+    EXPECT_TRUE(input.die.floating_die);
+  }
+}
+
+TEST(Schedule, NamesTheNearestWord)
+{
+  const std::pair<const char *, const char *> cases[] = {
+      {"press uper to density 0.8", "nearest: 'upper'"},
+      {"unload to nothin", "nearest: 'nothing'"},
+      {"eject to outt", "nearest: 'out'"},
+      {"eject to rim frely", "nearest: 'freely'"},
+      {"eject to rim by withdraw", "'withdrawal'"}};
+  for (const auto &[text, words] : cases)
+    try {
+      parse_schedule(text, {});
+      ADD_FAILURE() << text;
+    } catch (const InputError &error) {
+      EXPECT_NE(std::string(error.what()).find(words), std::string::npos)
+          << error.what();
+    }
+}
+
 TEST(Schedule, NamesTheWordThatIsWrong)
 {
   for (const char *text : {"",
@@ -72,7 +162,12 @@ TEST(Schedule, NamesTheWordThatIsWrong)
                            "press to density 0.8 please",
                            "unload to 5 %",
                            "eject to 1 mm",
-                           "hold 0 steps"})
+                           "hold 0 steps",
+                           "press upper lower to density 0.8",
+                           "unload to force -1 N",
+                           "eject to rim freely holding 5 % of peak",
+                           "eject to rim by withdrawal by withdrawal",
+                           "eject to rim freely by withdrawal freely"})
     EXPECT_THROW(parse_schedule(text, {}), InputError) << text;
 }
 

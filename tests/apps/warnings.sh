@@ -89,7 +89,7 @@ laws() {
   # (pi p_y / (2 E*))^2 with E* = E / (2 (1 - nu^2)) = 1.923 GPa.
   near "$(number said.txt 'at an overlap of ')" 0.6672
   run 'Contact/Normal law = jkr' 'Contact/Work of adhesion = 7' \
-    "Grains/Young's modulus = 35 MPa"
+    "Grains/Young's modulus = 35 MPa" 'Schedule/Stages = hold 1 step'
   warns 1
   once 'adhesion alone gives' 'above 0.3162 R*' 'lower'
   run 'Contact/Work of adhesion = 1'

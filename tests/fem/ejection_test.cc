@@ -52,13 +52,14 @@ TEST_P(Ejections, EndAtTheRimOutOfTheDieOrAfterALength)
 TEST_P(Ejections, AFreeCompactIsNeverTouchedAgain)
 {
   const Trip run = eject(StageTarget::out, 0, 0);
+  // The compact of this press keeps its height: the gap must only grow.
   bool free = false;
   for (const Step &step : run.of(1)) {
     free = free || step.before.force[upper_punch] == 0;
     EXPECT_FALSE(step.proposal.motion[upper_punch].loaded);
     if (free) {
       EXPECT_EQ(step.after.force[upper_punch], 0);
-      EXPECT_NEAR(step.after.height, step.before.height, 1e-15);
+      EXPECT_GT(step.after.height, step.before.height);
     }
   }
   EXPECT_TRUE(free);

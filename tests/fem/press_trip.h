@@ -23,6 +23,7 @@ struct Press {
   static constexpr double height = 7e-3, hardening = 1e6, elasticity = 2e7;
   double power = 1;
   double faces = 0; ///< volume between curved faces / area of the punch [m]
+  double bulge = 0; ///< volume lost with the square of the strain / filled [-]
   double upper = height, lower = 0, die = 0; ///< z of their edges [m]
   double natural = height;                   ///< height without force [m]
   PressState state;
@@ -81,8 +82,10 @@ struct Press {
     state.die_displacement = die;
     state.force[upper_punch] = force();
     state.force[lower_punch] = -force();
+    const double strain = 1 - (state.top - state.bottom) / height;
     state.mean_density =
-        0.5 * (height + faces) / (state.top - state.bottom + faces);
+        0.5 * (height + faces) /
+        (height * (1 - strain - bulge * strain * strain) + faces);
     state.element_height = (state.top - state.bottom) / elements;
   }
 };

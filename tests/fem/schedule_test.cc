@@ -62,6 +62,21 @@ TEST(Schedule, EveryPunchPressesToADensityAndOnlyThoseMoveThatPress)
     }
 }
 
+TEST(Schedule, ADensityThatALandingMissedIsLandedOnAgain)
+{
+  Press start;
+  start.bulge = -1;
+  const DieSettings settings =
+      schedule_of({press_by(Pressing::upper, StageTarget::density, 0.6)});
+  const Trip run(settings, start);
+  // What a step of the smallest size could still change.
+  EXPECT_NEAR(run.end().mean_density / 0.6, 1, 2 * settings.steps.minimum);
+  unsigned landings = 0;
+  for (const Step &step : run.steps)
+    landings += step.proposal.lands;
+  EXPECT_EQ(landings, 2u);
+}
+
 TEST(Schedule, ADisplacementIsThatOfEachMovingPunch)
 {
   for (const auto who : {Pressing::upper, Pressing::lower, Pressing::both}) {
