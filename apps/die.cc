@@ -9,7 +9,6 @@
 #include <apps/run_material.h>
 #include <apps/schedule.h>
 #include <apps/units.h>
-#include <fem/die_mesh.h>
 #include <fem/die_model.h>
 
 #include <deal.II/base/mpi.h>
@@ -52,7 +51,7 @@ class DieRun
 public:
   explicit DieRun(RunSession &session)
       : session_(session), settings_(session.input().die),
-        mesh_(settings_.geometry),
+        mesh_(session.input().mesh.mesh),
         material_(prepare_material(session, mesh_.number_of_points())),
         points_(*material_.points),
         model_(settings_,
@@ -188,7 +187,7 @@ private:
         "strain {:.4g}",
         point,
         1e3 * position[0],
-        1e3 * position[1],
+        1e3 * position[2],
         record.step,
         name_of(kind(record.stage)),
         // Nobody wants to read -0.
@@ -254,7 +253,7 @@ private:
         reason(failure),
         failure.point,
         1e3 * failure.position[0],
-        1e3 * failure.position[1],
+        1e3 * failure.position[2],
         (0 - stress[0][0]) / 1e6,
         (0 - stress[1][1]) / 1e6,
         (0 - stress[2][2]) / 1e6,
@@ -276,6 +275,7 @@ private:
     const fem::ModelTimes times = model_.times();
     session_.result("time_material[s]", times.material);
     session_.result("time_assembly[s]", times.assembly);
+    session_.result("time_contact[s]", times.contact);
     session_.result("time_linear_solver[s]", times.linear_solver);
     session_.result("time_model[s]", times.total);
   }
@@ -298,7 +298,7 @@ private:
 
   RunSession &session_;
   const fem::DieSettings &settings_;
-  fem::DieMesh mesh_;
+  const fem::Mesh &mesh_;
   coupling::Material material_;
   RecordedPoints points_;
   fem::DieModel model_;
