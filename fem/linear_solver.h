@@ -27,15 +27,18 @@ struct LinearSettings {
 /// Solves sparse unsymmetric systems on all ranks. The system is given as sums:
 /// each rank holds entries of its cells, entries of several ranks add up. Right
 /// sides and solutions are held by every rank in full. The answer depends on
-/// the matrix only, not on the ones before. All functions are collective and
-/// answer the same on every rank.
+/// the matrix only, not on the ones before; MUMPS on several ranks rounds
+/// differently from run to run. All functions are collective and answer the
+/// same bits on every rank.
 class LinearSolver
 {
 public:
   /// Takes the pattern of this rank's `matrix`, whose values may be anything.
   /// Rows and columns are numbered alike on all ranks.
   /// @param rigid_modes  displacements of rigid bodies, of the system's length
-  ///                     each: what multigrid must know. Empty: none.
+  ///                     each: what multigrid must know. It works best if
+  ///                     all components of a node are unknowns, numbered
+  ///                     one after another. Empty: none.
   explicit LinearSolver(const SparseRows &matrix,
                         const LinearSettings &settings = {},
                         const Ranks &ranks = Ranks(),
@@ -43,8 +46,8 @@ public:
   ~LinearSolver();
 
   /// Factorises, or sets up the preconditioner; the pattern must be that of the
-  /// constructor. False if the matrix is singular or has a value that is not
-  /// finite.
+  /// constructor. False if the matrix is found to be singular (an
+  /// iteration finds it in solve() only) or has a value that is not finite.
   [[nodiscard]] bool factorise(std::span<const double> values);
 
   /// Solves with what the last factorise() found. False if the answer is not
