@@ -61,7 +61,8 @@ void declare_tolerances(ParameterTable &table)
                "automatic",
                {"automatic", "direct", "iterative"},
                "direct: MUMPS; iterative: Krylov with algebraic multigrid "
-               "(GAMG, ML); automatic: iterative above 60000 unknowns");
+               "(GAMG, ML); automatic: iterative in three dimensions above "
+               "20000 unknowns");
   table.choice("Element",
                "standard",
                {"standard", "f-bar"},
@@ -139,6 +140,14 @@ fem::ImportedMesh make_mesh(const ParameterTable &table,
   }
 }
 
+fem::LinearMethod chosen_method(const std::string &word)
+{
+  if (word == "automatic")
+    return fem::LinearMethod::automatic;
+  return word == "direct" ? fem::LinearMethod::direct
+                          : fem::LinearMethod::iterative;
+}
+
 void read_solver(const ParameterTable &table, bool cells, fem::DieSettings &die)
 {
   fem::SolverSettings &solver = die.solver;
@@ -147,6 +156,7 @@ void read_solver(const ParameterTable &table, bool cells, fem::DieSettings &die)
                       : fem::NonlinearMethod::newton;
   solver.force_tolerance = table.number("Solver/Force tolerance");
   solver.f_bar = table.word("Solver/Element") == "f-bar";
+  solver.linear.method = chosen_method(table.word("Solver/Linear solver"));
   solver.linear.algebra = table.word("Solver/Linear algebra") == "trilinos"
                               ? fem::LinearAlgebra::trilinos
                               : fem::LinearAlgebra::petsc;
@@ -199,9 +209,8 @@ void read_schedule(const ParameterTable &table,
 {
   const std::string path = "Schedule/Stages";
   try {
-    die.stages = parse_schedule(
-        table.word(path),
-        {punch_area, cells ? 0.05 : 0.0});
+    die.stages =
+        parse_schedule(table.word(path), {punch_area, cells ? 0.05 : 0.0});
   } catch (const InputError &error) {
     table.complain(path, error.what());
   }

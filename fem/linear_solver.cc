@@ -90,7 +90,7 @@ LinearSystem system_of(const SparseRows &matrix,
 
 std::unique_ptr<LinearSolver::Backend> backend_for(const LinearSystem &system)
 {
-  const bool direct = system.settings.method == LinearMethod::direct;
+  const bool direct = system.settings.method != LinearMethod::iterative;
   if (system.settings.algebra == LinearAlgebra::petsc)
     return direct ? petsc_direct(system) : petsc_multigrid(system);
   return direct ? trilinos_direct(system) : trilinos_multigrid(system);

@@ -13,13 +13,14 @@ namespace tamp::fem
 {
 enum class LinearAlgebra { petsc, trilinos };
 enum class LinearMethod {
-  direct,   ///< MUMPS
-  iterative ///< Krylov with algebraic multigrid
+  automatic, ///< iterative in three dimensions above 20000 unknowns
+  direct,    ///< MUMPS
+  iterative  ///< Krylov with algebraic multigrid
 };
 
 struct LinearSettings {
   LinearAlgebra algebra = LinearAlgebra::petsc;
-  LinearMethod method = LinearMethod::direct;
+  LinearMethod method = LinearMethod::automatic;
   double tolerance = 1e-9; ///< of the residual / right side, iterative [-]
   unsigned maximum_iterations = 500;
 };

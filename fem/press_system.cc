@@ -48,6 +48,18 @@ std::vector<std::vector<double>> rigid_modes(const Mesh &mesh,
   return modes;
 }
 
+/// What `automatic` means for a mesh: direct solvers win in the plane, and in
+/// three dimensions as long as there are few unknowns.
+LinearSettings decided(LinearSettings settings, const Mesh &mesh)
+{
+  constexpr std::size_t many = 20000;
+  if (settings.method == LinearMethod::automatic)
+    settings.method = !mesh.is_axisymmetric() && mesh.number_of_dofs() > many
+                          ? LinearMethod::iterative
+                          : LinearMethod::direct;
+  return settings;
+}
+
 std::vector<char> held_dofs(const Mesh &mesh)
 {
   std::vector<char> held(mesh.number_of_dofs(), 0);
@@ -86,9 +98,9 @@ PressSystem::PressSystem(const Mesh &mesh,
     : mesh_(mesh), ranks_(ranks), matrix_(assembler.pattern()),
       held_(held_dofs(mesh)), owned_(owned_nodes(mesh, ranks)),
       solver_(matrix_,
-              settings,
+              decided(settings, mesh),
               ranks,
-              settings.method == LinearMethod::iterative
+              decided(settings, mesh).method == LinearMethod::iterative
                   ? rigid_modes(mesh, held_)
                   : std::vector<std::vector<double>>())
 {
