@@ -83,7 +83,7 @@ public:
   {
     const Number hardening = stage.hardening + u;
     const Number E = youngs_modulus(hardening);
-    const Number compaction = compaction_between(stage.hardening, hardening);
+    const Number compaction = compaction_of_change(stage.hardening, u);
     return {Number(stage.p + bulk_ratio_ * E * (stage.strain - compaction)),
             Number(shear_ratio_ * E),
             compaction};
@@ -94,8 +94,6 @@ public:
                    const PlasticPoint<Number> *middle,
                    Stage<Number> &stage) const
   {
-    using std::expm1;
-    using std::log;
     stage.p = start.p;
     stage.hardening = start.hardening;
     if (!middle)
@@ -103,12 +101,15 @@ public:
     constexpr double beta = 1 + std::numbers::sqrt2;
     stage.p += beta * (middle->p - start.p);
     const Number compaction =
-        beta * compaction_between(start.hardening, middle->hardening);
-    const Number old = density(start.hardening);
-    const Number f = porosity(start.hardening) - old * growth(compaction);
-    if (!(f > 0. && f < 1.))
+        beta *
+        compaction_of_change(start.hardening,
+                             Number(middle->hardening - start.hardening));
+    // f over its value at the start, less one.
+    const Number change = -density(start.hardening) /
+                          porosity(start.hardening) * growth(compaction);
+    if (!(change > -1.))
       return false;
-    stage.hardening = log(old * (1. + growth(compaction)) / f);
+    stage.hardening += compaction - log_of_growth(change);
     return true;
   }
 
@@ -161,18 +162,19 @@ private:
                   std::exp(value_of(x)) * (x - value_of(x)));
   }
 
-  /// ln(D_b / D_a).
+  /// ln(1 + x) without loss of digits.
   template <class Number>
-  static Number compaction_between(const Number &a, const Number &b)
+  static Number log_of_growth(const Number &x)
   {
-    return Number(log_density(b) - log_density(a));
+    return Number(std::log1p(value_of(x)) +
+                  (x - value_of(x)) / (1 + value_of(x)));
   }
-  /// ln D, with all digits near full density.
+
+  /// ln(D_new / D) where h changes by u.
   template <class Number>
-  static Number log_density(const Number &hardening)
+  static Number compaction_of_change(const Number &h, const Number &u)
   {
-    const double h = value_of(hardening);
-    return Number(-std::log1p(std::exp(-h)) + porosity(h) * (hardening - h));
+    return Number(-log_of_growth(Number(porosity(h) * growth(Number(-u)))));
   }
 
   template <class Number>

@@ -54,8 +54,9 @@ public:
     }
     Number span = 1.; // what is left of the strain since the last crossing
     double done = 0, step = 1; // shares of the span
+    bool flows = false;        // from where it is, with any step
     for (unsigned part = 0; part < 20000; ++part) {
-      if (!(is_on_surface(point) && leads_out(point))) {
+      if (!flows && !(is_on_surface(point) && leads_out(point))) {
         const Number left = span * (1 - done);
         const Point end = law_.elastic(point, strain_, left);
         if (yield(end) <= 1e-13) {
@@ -65,13 +66,15 @@ public:
         const Number share = crossing(point, left);
         point = law_.elastic(point, strain_, share);
         span = left - share;
+        step = std::min(1., step / (1 - done));
         done = 0;
-        step = 1;
       }
+      flows = true;
       Point end = point;
       const double error = try_part(point, span * step, end);
       if (error <= tolerance_) {
         point = end;
+        flows = false;
         done += step;
         if (done >= 1)
           return true;

@@ -36,7 +36,7 @@ Number equivalent_stress(const Components<Number> &deviator)
   Number square = 0.;
   for (unsigned k = 0; k < 6; ++k)
     square += (k < 3 ? 1.5 : 3.) * deviator[k] * deviator[k];
-  return value_of(square) > 0 ? Number(sqrt(square)) : Number(0.);
+  return value_of(square) <= 0 ? Number(0.) : Number(sqrt(square));
 }
 
 /// -tr(strain).

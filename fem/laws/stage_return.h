@@ -171,7 +171,7 @@ std::optional<PlasticPoint<Number>> finish_stage(const Law &law,
     return end;
   const Number trial = equivalent_stress(end.deviator);
   const double elastic = value_of(trial) - found.q;
-  if (elastic < 0.5 * value_of(trial)) {
+  if (value_of(trial) > 0 && elastic < 0.5 * value_of(trial)) {
     ratio = q / trial;
   } else { // regular at q = 0
     const auto surface = law.surface(end.hardening);

@@ -143,9 +143,8 @@ private:
     const auto b = rate(along(start, a, t / 2), strain, plastic);
     const auto c = rate(along(start, b, t / 2), strain, plastic);
     const auto d = rate(along(start, c, t), strain, plastic);
-    return along(along(along(along(start, a, t / 6), b, t / 3), c, t / 3),
-                 d,
-                 t / 6);
+    return along(
+        along(along(along(start, a, t / 6), b, t / 3), c, t / 3), d, t / 6);
   }
 
   Law law_;
@@ -208,8 +207,7 @@ inline std::vector<double> newton_residuals(MaterialPoints &points,
   std::vector<Response> answer(points.size());
   double lateral = 0;
   for (unsigned iteration = 0; iteration < 12; ++iteration) {
-    const auto trial =
-        leg({lateral, lateral, axial, 0, 0, 0}, 1);
+    const auto trial = leg({lateral, lateral, axial, 0, 0, 0}, 1);
     points.evaluate(
         std::vector<Deformation>(points.size(), {exponential(trial.strain)}),
         Want::stress_and_tangent,
@@ -218,8 +216,8 @@ inline std::vector<double> newton_residuals(MaterialPoints &points,
     residuals.push_back(std::abs(residual));
     if (std::abs(residual) < 1e-11 * std::abs(lateral_stress))
       break;
-    lateral -= residual / (answer[0].tangent[0][0][0][0] +
-                           answer[0].tangent[0][0][1][1]);
+    lateral -= residual /
+               (answer[0].tangent[0][0][0][0] + answer[0].tangent[0][0][1][1]);
   }
   return residuals;
 }
