@@ -98,10 +98,9 @@ public:
     stage.hardening = start.hardening;
     if (!middle)
       return true;
-    constexpr double beta = 1 + std::numbers::sqrt2;
-    stage.p += beta * (middle->p - start.p);
+    stage.p += TwoStageMethod::base * (middle->p - start.p);
     const Number compaction =
-        beta *
+        TwoStageMethod::base *
         compaction_of_change(start.hardening,
                              Number(middle->hardening - start.hardening));
     // f over its value at the start, less one.
@@ -201,7 +200,9 @@ bool integrate(const FkmGursonParameters &parameters,
   auto point = start_from<Number>(old.stress);
   point.hardening = std::log((1 - old.porosity) / old.porosity);
   const PlasticPath<FkmGursonIncrement, Number> path(
-      law, independent<Number>(corotation.log_stretch()), parameters.tolerance);
+      law,
+      independent<Number>(corotation.log_stretch()),
+      parameters.integration_tolerance);
   if (!path.advance(point))
     return false;
   const auto answer = corotated_stress(point);
@@ -253,9 +254,9 @@ void FkmGursonParameters::check() const
                "vertex rounding [-]",
                vertex_rounding,
                "above 0 and up to 0.1");
-  expect_value(tolerance > 0 && tolerance <= 0.01,
-               "tolerance [-]",
-               tolerance,
+  expect_value(integration_tolerance > 0 && integration_tolerance <= 0.01,
+               "integration tolerance [-]",
+               integration_tolerance,
                "above 0 and up to 0.01");
 }
 

@@ -23,7 +23,7 @@ struct FkmGursonParameters {
   double vertex_rounding = 0.01;          ///< a / p_y, see FkmGursonSurface [-]
   /// Largest estimated error of stress over the hydrostatic yield pressure in a
   /// part of an increment [-].
-  double tolerance = 2e-5;
+  double integration_tolerance = 2e-5;
 
   /// Throws std::invalid_argument naming the first value that is not possible.
   void check() const;

@@ -57,7 +57,7 @@ public:
   {
     Number flown = 0.; // plastic specific volume over lambda - kappa
     if (middle)
-      flown = (1 + std::numbers::sqrt2) * (middle->hardening - start.hardening);
+      flown = TwoStageMethod::base * (middle->hardening - start.hardening);
     stage.hardening = start.hardening + flown;
     stage.p = pressure(
         Number(logarithm(start.p) +
@@ -174,7 +174,9 @@ bool integrate(const ModifiedCamClayParameters &parameters,
   auto point = start_from<Number>(old.stress);
   point.hardening = std::log(old.yield_pressure / parameters.floor_pressure);
   const PlasticPath<CamClayIncrement, Number> path(
-      law, independent<Number>(corotation.log_stretch()), parameters.tolerance);
+      law,
+      independent<Number>(corotation.log_stretch()),
+      parameters.integration_tolerance);
   if (!path.advance(point))
     return false;
   const auto answer = corotated_stress(point);
@@ -220,9 +222,9 @@ void ModifiedCamClayParameters::check() const
                "floor pressure [Pa]",
                floor_pressure,
                "above 0");
-  expect_value(tolerance > 0 && tolerance <= 0.01,
-               "tolerance [-]",
-               tolerance,
+  expect_value(integration_tolerance > 0 && integration_tolerance <= 0.01,
+               "integration tolerance [-]",
+               integration_tolerance,
                "above 0 and up to 0.01");
 }
 

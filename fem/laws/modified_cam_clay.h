@@ -24,7 +24,7 @@ struct ModifiedCamClayParameters {
   /// Below this pressure the bulk modulus stays as it is there [Pa].
   double floor_pressure = 1e5;
   /// Largest estimated error of stress over p_c in a part of an increment [-].
-  double tolerance = 2e-5;
+  double integration_tolerance = 2e-5;
 
   /// Throws std::invalid_argument naming the first value that is not possible.
   void check() const;

@@ -2,7 +2,8 @@
 #ifndef fem_laws_plastic_path_h
 #define fem_laws_plastic_path_h
 
-#include <fem/laws/stage_return.h>
+#include <fem/laws/bracketed_root.h>
+#include <fem/laws/two_stage_part.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,22 +16,15 @@ namespace tamp::fem
 /// variable and associated flow along a straight strain.
 ///
 /// The elastic way to the surface is exact: the law integrates its elasticity,
-/// and the crossing is a bracketed root. From there parts are integrated by the
-/// stiffly accurate diagonally implicit Runge-Kutta method of second order with
-/// two stages, each of which ends on the surface. A part is accepted if its
-/// estimated error, that of the embedded method of first order, is at most
-/// `tolerance` times the law's size of stress; it is halved otherwise and
-/// lengthened again when the error allows. Fails, and leaves the point
-/// undefined, when a part falls below 2^-20 of the way or more than 20000 are
-/// needed. Source: P. Ellsiepen, S. Hartmann, Int. J. Numer. Meth. Eng. 51
-/// (2001) 679.
+/// and the crossing is a bracketed root. From there parts are taken as
+/// take_part() says. A part is accepted if its estimated error is at most
+/// `tolerance`; it is halved otherwise and lengthened again when the error
+/// allows. Fails, and leaves the point undefined, when a part falls below 2^-20
+/// of the way or more than 20000 are needed.
 ///
-/// A Law has, for Number double and with derivatives: surface(hardening);
-/// place(stage, u), falling in p, with elasticity and plastic compaction of
-/// the stage; start_stage(start, middle, stage), which sets p and hardening of
-/// the second stage if there is a middle, and says whether that is possible;
-/// elastic(point, strain, share), the exact elastic way; moduli(point), K and
-/// G; size(surface) [Pa].
+/// A Law has, besides what take_part() asks of it, elastic(point, strain,
+/// share), the exact elastic way along a share of a strain, and moduli(point),
+/// K and G.
 template <class Law, class Number>
 class PlasticPath
 {
@@ -55,7 +49,7 @@ public:
     Number span = 1.; // what is left of the strain since the last crossing
     double done = 0, step = 1; // shares of the span
     bool flows = false;        // from where it is, with any step
-    for (unsigned part = 0; part < 20000; ++part) {
+    for (unsigned part = 0; part < most_parts; ++part) {
       if (!flows && !(is_on_surface(point) && leads_out(point))) {
         const Number left = span * (1 - done);
         const Point end = law_.elastic(point, strain_, left);
@@ -71,7 +65,8 @@ public:
       }
       flows = true;
       Point end = point;
-      const double error = try_part(point, span * step, end);
+      const double error =
+          take_part(law_, point, strain_, Number(span * step), end);
       if (error <= tolerance_) {
         point = end;
         flows = false;
@@ -83,7 +78,7 @@ public:
         step = std::min(step, 1 - done);
       } else {
         step /= 2;
-        if (step < 1e-6)
+        if (step < smallest_step)
           return false;
       }
     }
@@ -91,12 +86,8 @@ public:
   }
 
 private:
-  /// gamma of the method.
-  static constexpr double first = 1 - std::numbers::sqrt2 / 2;
-  /// The base of the second stage is start + beta (middle - start).
-  static constexpr double beta = (1 - first) / first;
-  /// Weight of the difference of the two rates in the error, after Ellsiepen.
-  static constexpr double embedded = first - (2 - 1.25 * std::numbers::sqrt2);
+  static constexpr unsigned most_parts = 20000;
+  static constexpr double smallest_step = 0x1p-20;
 
   /// Nothing moves: the answer and its derivatives are elastic.
   bool is_at_rest() const
@@ -155,62 +146,6 @@ private:
                              .yield(there.p, equivalent_stress(there.deviator));
     const double rate = slope(there);
     return rate > 0 ? Number(*root - error / rate) : Number(*root);
-  }
-
-  /// One part; gives its error over the size of stress, infinite if a stage has
-  /// no solution.
-  double try_part(const Point &start, const Number &share, Point &end) const
-  {
-    const double impossible = std::numeric_limits<double>::infinity();
-    const Point *const nothing = nullptr;
-    Stage<Number> stage;
-    const Number strain = first * share * compaction_of(strain_);
-    for (unsigned k = 0; k < 6; ++k)
-      stage.shape[k] = first * share * shape_[k];
-    stage.strain = strain;
-    stage.deviator = start.deviator;
-    stage.compaction = start.compaction + strain;
-    if (!law_.start_stage(start, nothing, stage))
-      return impossible;
-    const auto middle = finish_stage(law_, stage);
-    if (!middle)
-      return impossible;
-
-    for (unsigned k = 0; k < 6; ++k)
-      stage.deviator[k] =
-          start.deviator[k] + beta * (middle->deviator[k] - start.deviator[k]);
-    stage.compaction = start.compaction + strain / first;
-    if (!law_.start_stage(start, &*middle, stage))
-      return impossible;
-    const auto last = finish_stage(law_, stage);
-    if (!last)
-      return impossible;
-    end = *last;
-    end.plastic_compaction +=
-        start.plastic_compaction + beta * middle->plastic_compaction;
-    end.plastic_shear += start.plastic_shear + beta * middle->plastic_shear;
-    return error(start, *middle, end);
-  }
-
-  double error(const Point &start, const Point &middle, const Point &end) const
-  {
-    // k2 - k1 = (end - start - (1 + beta) (middle - start)) / first.
-    const auto difference =
-        [](const Number &a, const Number &b, const Number &c) {
-          return (value_of(c) - value_of(a) -
-                  (1 + beta) * (value_of(b) - value_of(a))) /
-                 first;
-        };
-    Components<double> deviator;
-    for (unsigned k = 0; k < 6; ++k)
-      deviator[k] =
-          difference(start.deviator[k], middle.deviator[k], end.deviator[k]);
-    const double result =
-        embedded * std::hypot(difference(start.p, middle.p, end.p),
-                              equivalent_stress(deviator));
-    const double size = law_.size(law_.surface(value_of(end.hardening)));
-    return std::isfinite(result) ? result / size
-                                 : std::numeric_limits<double>::infinity();
   }
 
   const Law &law_;

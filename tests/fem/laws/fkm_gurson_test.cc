@@ -293,8 +293,9 @@ TEST(FkmGurson, LoosePowderCompactsUntilItCarries)
     const auto &state = points.state(0);
     EXPECT_EQ(answer[0].status,
               1 - state.porosity < 0.64 ? Status::doubtful : Status::converged);
-    if (1 - state.porosity < 0.64) // the floor, 1e-3 sigma_0, within 1.2
+    if (1 - state.porosity < 0.64) { // a few times the floor, 1e5 Pa
       EXPECT_LT(-state.stress[2][2], 2.5e5);
+    }
   }
   EXPECT_EQ(answer[0].status, Status::converged);
   EXPECT_GT(-points.state(0).stress[2][2], 5e6);
@@ -351,7 +352,7 @@ TEST(FkmGurson, RefusesImpossibleConstants)
   refused([](auto &p) { p.initial_relative_density = 1; });
   refused([](auto &p) { p.yield_floor = 0; });
   refused([](auto &p) { p.vertex_rounding = 0; });
-  refused([](auto &p) { p.tolerance = 0; });
+  refused([](auto &p) { p.integration_tolerance = 0; });
 }
 } // namespace
 } // namespace tamp::fem

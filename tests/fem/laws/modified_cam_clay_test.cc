@@ -290,7 +290,7 @@ TEST(ModifiedCamClay, RefusesImpossibleConstants)
   refused([](auto &p) { p.initial_relative_density = 1.2; });
   refused([](auto &p) { p.initial_yield_pressure = 0; });
   refused([](auto &p) { p.floor_pressure = 0; });
-  refused([](auto &p) { p.tolerance = 1; });
+  refused([](auto &p) { p.integration_tolerance = 1; });
 }
 } // namespace
 } // namespace tamp::fem

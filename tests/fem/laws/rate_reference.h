@@ -61,7 +61,7 @@ public:
         double low = 0, high = left;
         if (coefficients(stepped(state, leg.strain, left, false)).yield <= 0)
           low = left;
-        for (unsigned k = 0; k < 60 && low < left; ++k) {
+        for (unsigned k = 0; k < 30 && low < left; ++k) {
           const double middle = (low + high) / 2;
           (coefficients(stepped(state, leg.strain, middle, false)).yield < 0
                ? low
