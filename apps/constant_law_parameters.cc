@@ -7,6 +7,17 @@ namespace tamp::apps
 namespace
 {
 constexpr Range a_density{0, 1, true, false};
+
+void declare_tolerance(ParameterTable &table, const std::string &size)
+{
+  table.quantity("Integration tolerance",
+                 "2e-5",
+                 dimension::number,
+                 Range{0, 0.01, true, false},
+                 "Largest estimated error of stress in a part of an "
+                 "increment, over " +
+                     size);
+}
 } // namespace
 
 void declare_cam_clay(ParameterTable &table)
@@ -52,12 +63,7 @@ void declare_cam_clay(ParameterTable &table)
                  positive,
                  "Below it the bulk modulus stays as it is there, so that "
                  "powder without load has stiffness");
-  table.quantity(
-      "Integration tolerance",
-      "2e-5",
-      dimension::number,
-      Range{0, 0.01, true, false},
-      "Largest estimated error of stress in a part of an increment, over p_c");
+  declare_tolerance(table, "p_c");
   table.leave();
 }
 
@@ -126,12 +132,7 @@ void declare_fkm_gurson(ParameterTable &table)
       Range{0, 0.1, true, false},
       "How far the corner of the loose powder's surface on the pressure axis "
       "is rounded, over its hydrostatic yield pressure");
-  table.quantity("Integration tolerance",
-                 "2e-5",
-                 dimension::number,
-                 Range{0, 0.01, true, false},
-                 "Largest estimated error of stress in a part of an increment, "
-                 "over the hydrostatic yield pressure");
+  declare_tolerance(table, "the hydrostatic yield pressure");
   table.leave();
 }
 

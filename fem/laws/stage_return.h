@@ -170,19 +170,18 @@ std::optional<PlasticPoint<Number>> finish_stage(const Law &law,
   if (!found.plastic)
     return end;
   const Number trial = equivalent_stress(end.deviator);
-  const double elastic = value_of(trial) - found.q;
-  if (value_of(trial) > 0 && elastic < 0.5 * value_of(trial)) {
+  const auto surface = law.surface(end.hardening);
+  const Number bend = surface.by_q_over_q(place.p, q);
+  if (found.q * found.q * value_of(bend) > 1e-6) {
     ratio = q / trial;
-  } else { // regular at q = 0
-    const auto surface = law.surface(end.hardening);
+  } else { // close to q = 0: from the flow rule, which is regular there
     const Number slope = surface.by_p(place.p, q);
-    ratio = slope / (slope + 3. * place.shear * place.compaction *
-                                 surface.by_q_over_q(place.p, q));
+    ratio = slope / (slope + 3. * place.shear * place.compaction * bend);
   }
   for (Number &s : end.deviator)
     s *= ratio;
   end.plastic_compaction = value_of(place.compaction);
-  end.plastic_shear = elastic / (3 * value_of(place.shear));
+  end.plastic_shear = (value_of(trial) - found.q) / (3 * value_of(place.shear));
   return end;
 }
 } // namespace tamp::fem
