@@ -32,9 +32,10 @@ struct FkmGursonParameters {
 /// Yield of a metal powder from random packing to full density, at finite
 /// strain through Corotation: the surface of Fleck, Kuhn and McMeeking (1992)
 /// for relative densities D up to 0.77, that of Gurson (1977) from 0.90 on, in
-/// between their weighted sum with a weight that rises smoothly from 0 to 1
-/// (after Redanz 1998); see FkmGursonSurface. Flow is normal to the surface.
-/// The only hardening variable is D, here that of the stress-free powder:
+/// between their weighted sum (after Redanz 1998), here with the weight x^2 (3
+/// - 2 x), x from 0 to 1, so that hardening has no jump; see FkmGursonSurface.
+/// Flow is normal to the surface. The only hardening variable is D, here that
+/// of the stress-free powder:
 ///
 ///   d D / D = d eps_v^pl,
 ///   p_y = 2.97 D^2 (D - D_0) / (1 - D_0) sigma_0.
