@@ -48,14 +48,18 @@ DensityTable hardening(const CapChoice &choice)
                       DensityTable::Above::extend);
 }
 
+template <class Law>
+Material make_points(const Law &law, std::size_t count)
+{
+  return {std::make_unique<fem::ContinuumPoints<Law>>(law, count), nullptr};
+}
+
 Material make_elastic(const ElasticChoice &choice, std::size_t count)
 {
   fem::ElasticParameters parameters;
   parameters.elasticity = elasticity(choice.elasticity);
   parameters.initial_relative_density = choice.initial_relative_density;
-  return {std::make_unique<fem::ContinuumPoints<fem::Elastic>>(
-              fem::Elastic(parameters), count),
-          nullptr};
+  return make_points(fem::Elastic(parameters), count);
 }
 
 Material make_cap(const CapChoice &choice, std::size_t count)
@@ -71,9 +75,7 @@ Material make_cap(const CapChoice &choice, std::size_t count)
   parameters.hardening = hardening(choice);
   parameters.reference_density = choice.hardening_density.front();
   parameters.initial_relative_density = choice.initial_relative_density;
-  return {std::make_unique<fem::ContinuumPoints<fem::DruckerPragerCap>>(
-              fem::DruckerPragerCap(parameters), count),
-          nullptr};
+  return make_points(fem::DruckerPragerCap(parameters), count);
 }
 
 StoredPackings find_packings(const MaterialChoice &choice,
@@ -131,6 +133,10 @@ Material make_material(const MaterialChoice &choice,
     return make_elastic(choice.elastic, count);
   case MaterialKind::drucker_prager_cap:
     return make_cap(choice.cap, count);
+  case MaterialKind::modified_cam_clay:
+    return make_points(fem::ModifiedCamClay(choice.cam_clay), count);
+  case MaterialKind::fkm_gurson:
+    return make_points(fem::FkmGurson(choice.fkm_gurson), count);
   }
   throw std::invalid_argument("unknown kind of material");
 }

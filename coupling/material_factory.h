@@ -5,6 +5,8 @@
 #include <coupling/packing_adoption.h>
 #include <dem/deform.h>
 #include <dem/packing.h>
+#include <fem/laws/fkm_gurson.h>
+#include <fem/laws/modified_cam_clay.h>
 #include <fem/material_points.h>
 
 #include <cstddef>
@@ -17,7 +19,13 @@ namespace tamp::coupling
 {
 class UnitCellPoints;
 
-enum class MaterialKind { unit_cell, elastic, drucker_prager_cap };
+enum class MaterialKind {
+  unit_cell,
+  elastic,
+  drucker_prager_cap,
+  modified_cam_clay,
+  fkm_gurson
+};
 
 /// Elasticity of a compact over its relative density; between the nodes
 /// linear, outside as at the nearest node. One node: constant.
@@ -58,6 +66,8 @@ struct MaterialChoice {
   unsigned threads = 1;
   ElasticChoice elastic;
   CapChoice cap;
+  fem::ModifiedCamClayParameters cam_clay;
+  fem::FkmGursonParameters fkm_gurson;
 };
 
 /// The points of a die or of a probe. `cells` is the same object as `points`

@@ -50,6 +50,14 @@ expect 2 "$law/Friction angle" '1.5' -- "$tamp" die bad.prm -o results \
 expect 2 "$law/Hydrostatic yield pressure" 'at least 2' -- "$tamp" die bad.prm \
   -o results "${cap[@]}" --set "$law/Hardening densities = 1" \
   --set "$law/Hydrostatic yield pressure = 1 MPa"
+law='Material/Modified Cam-Clay'
+expect 2 "$law/Compression index" '0.05' 'swelling index' -- "$tamp" probe \
+  bad.prm -o results --set 'Material/Type = modified cam-clay' \
+  --set "$law/Compression index = 0.05"
+law='Material/FKM-Gurson'
+expect 2 "$law/Random packing density" '0.8' '0.77' -- "$tamp" die bad.prm \
+  -o results --set 'Material/Type = fkm-gurson' \
+  --set "$law/Random packing density = 0.8"
 expect 2 'Schedule/Stages' 'density' -- "$tamp" die bad.prm -o results \
   --set 'Schedule/Stages = press to density 0'
 expect 2 'Path/Stages' 'stage 1' "'-0.1'" 'above 0' -- "$tamp" probe bad.prm \

@@ -119,6 +119,52 @@ TEST_F(Parameters, AFreeEjectionOfCellsIsRefusedWithTheReason)
   EXPECT_NO_THROW(read_input(table, Need::die));
 }
 
+TEST_F(Parameters, EveryContinuumLawIsTaken)
+{
+  for (const char *type :
+       {"elastic", "drucker-prager cap", "modified cam-clay", "fkm-gurson"}) {
+    table.set(std::string("Material/Type = ") + type);
+    for (const Need need : {Need::probe, Need::die}) {
+      const auto material = read_input(table, need).material;
+      EXPECT_EQ(make_material(material, 2).points->size(), 2u) << type;
+      EXPECT_EQ(make_material(material, 2).cells, nullptr) << type;
+    }
+  }
+}
+
+TEST_F(Parameters, DefaultsOfLawsAreThoseOfTheLaws)
+{
+  const auto material = read_input(table, Need::probe).material;
+  const tamp::fem::ModifiedCamClayParameters clay;
+  EXPECT_EQ(material.cam_clay.initial_relative_density,
+            clay.initial_relative_density);
+  EXPECT_DOUBLE_EQ(material.cam_clay.initial_yield_pressure,
+                   clay.initial_yield_pressure);
+  EXPECT_EQ(material.cam_clay.critical_state_slope, clay.critical_state_slope);
+  EXPECT_EQ(material.cam_clay.compression_index, clay.compression_index);
+  EXPECT_EQ(material.cam_clay.swelling_index, clay.swelling_index);
+  EXPECT_EQ(material.cam_clay.poissons_ratio, clay.poissons_ratio);
+  EXPECT_DOUBLE_EQ(material.cam_clay.floor_pressure, clay.floor_pressure);
+  EXPECT_EQ(material.cam_clay.integration_tolerance,
+            clay.integration_tolerance);
+  const tamp::fem::FkmGursonParameters metal;
+  EXPECT_EQ(material.fkm_gurson.initial_relative_density,
+            metal.initial_relative_density);
+  EXPECT_EQ(material.fkm_gurson.random_packing_density,
+            metal.random_packing_density);
+  EXPECT_DOUBLE_EQ(material.fkm_gurson.solid_yield_stress,
+                   metal.solid_yield_stress);
+  EXPECT_DOUBLE_EQ(material.fkm_gurson.solid_youngs_modulus,
+                   metal.solid_youngs_modulus);
+  EXPECT_EQ(material.fkm_gurson.solid_poissons_ratio,
+            metal.solid_poissons_ratio);
+  EXPECT_EQ(material.fkm_gurson.elastic_exponent, metal.elastic_exponent);
+  EXPECT_EQ(material.fkm_gurson.yield_floor, metal.yield_floor);
+  EXPECT_EQ(material.fkm_gurson.vertex_rounding, metal.vertex_rounding);
+  EXPECT_EQ(material.fkm_gurson.integration_tolerance,
+            metal.integration_tolerance);
+}
+
 TEST(NearestName, CountsSwapsAsOneMistake)
 {
   EXPECT_EQ(edit_distance("hertz", "herzt"), 1u);

@@ -2,7 +2,9 @@
 #include <fem/laws/continuum_points.h>
 #include <fem/laws/drucker_prager_cap.h>
 #include <fem/laws/elastic.h>
+#include <fem/laws/fkm_gurson.h>
 #include <fem/laws/mcc_ph102.h>
+#include <fem/laws/modified_cam_clay.h>
 #include <tests/contract/material_points_contract.h>
 
 namespace tamp::fem::contract
@@ -110,7 +112,74 @@ struct ContractTraits<OnApex> : ContractTraits<OnCap> {
   }
 };
 
-using Laws = testing::
-    Types<PorousElastic, OnCap, OnCapInParts, OnShear, OnTransition, OnApex>;
+/// Compacts: hardens.
+struct CamClay {
+};
+template <>
+struct ContractTraits<CamClay> : ContractTraits<OnCapInParts> {
+  static std::unique_ptr<MaterialPoints> make()
+  {
+    return std::make_unique<ContinuumPoints<ModifiedCamClay>>(ModifiedCamClay(),
+                                                              3);
+  }
+};
+
+/// Dilates beyond the critical state: softens.
+struct CamClaySoftening {
+};
+template <>
+struct ContractTraits<CamClaySoftening> : ContractTraits<CamClay> {
+  static std::vector<dealii::Tensor<2, 3>> path()
+  {
+    auto steps = press(20);
+    for (unsigned i = 0; i < 5; ++i) // unloads, shears
+      steps.push_back(gradient({2e-2, 0, 0, 0, 2e-2, 0, 0, 0, 0}));
+    return steps;
+  }
+  static dealii::Tensor<2, 3> next()
+  {
+    return gradient({2e-2, 4e-3, 0, -3e-3, 1e-2, 5e-3, 0, -4e-3, 5e-3});
+  }
+};
+
+/// A powder of metal spheres that starts at a density.
+template <int percent>
+struct MetalSpheres {
+};
+template <int percent>
+struct ContractTraits<MetalSpheres<percent>> : ContractTraits<OnCapInParts> {
+  static std::unique_ptr<MaterialPoints> make()
+  {
+    FkmGursonParameters parameters;
+    parameters.initial_relative_density = 0.01 * percent;
+    return std::make_unique<ContinuumPoints<FkmGurson>>(FkmGurson(parameters),
+                                                        3);
+  }
+  static std::vector<dealii::Tensor<2, 3>> path() { return press(4); }
+};
+
+struct MetalSpheresPulled {
+};
+template <>
+struct ContractTraits<MetalSpheresPulled> : ContractTraits<MetalSpheres<75>> {
+  static dealii::Tensor<2, 3> next()
+  {
+    return gradient({6e-3, 1e-3, 0, 0, 3e-3, 4e-3, -1e-3, 0, 2e-3});
+  }
+};
+
+using Laws = testing::Types<PorousElastic,
+                            OnCap,
+                            OnCapInParts,
+                            OnShear,
+                            OnTransition,
+                            OnApex,
+                            CamClay,
+                            CamClaySoftening,
+                            MetalSpheres<60>,
+                            MetalSpheres<68>,
+                            MetalSpheres<83>,
+                            MetalSpheres<93>,
+                            MetalSpheresPulled>;
 INSTANTIATE_TYPED_TEST_SUITE_P(Continua, MaterialPointsContract, Laws);
 } // namespace tamp::fem::contract

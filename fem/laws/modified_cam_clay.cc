@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <fem/laws/corotation.h>
+#include <fem/laws/expect_value.h>
+#include <fem/laws/modified_cam_clay.h>
+#include <fem/laws/plastic_path.h>
+
+#include <cmath>
+
+namespace tamp::fem
+{
+namespace
+{
+/// An increment whose logarithmic stretch is larger than this fails.
+constexpr double largest_strain = 1;
+
+/// The law during one increment. The hardening variable is ln(p_c / p_floor);
+/// a stage's p is the pressure without plastic compaction in it.
+class CamClayIncrement
+{
+public:
+  CamClayIncrement(const ModifiedCamClayParameters &parameters,
+                   const double specific_volume)
+      : parameters_(parameters), specific_volume_(specific_volume),
+        plastic_index_(parameters.compression_index -
+                       parameters.swelling_index),
+        shear_ratio_(1.5 * (1 - 2 * parameters.poissons_ratio) /
+                     (1 + parameters.poissons_ratio))
+  {
+  }
+
+  template <class Number>
+  CamClaySurface<Number> surface(const Number &hardening) const
+  {
+    using std::exp;
+    return {parameters_.critical_state_slope,
+            Number(parameters_.floor_pressure * exp(hardening))};
+  }
+
+  double size(const CamClaySurface<double> &surface) const
+  {
+    return surface.yield_pressure + 1e-3 * parameters_.floor_pressure;
+  }
+
+  template <class Number>
+  StagePlace<Number> place(const Stage<Number> &stage, const Number &u) const
+  {
+    const Number volume = specific_volume(stage.compaction);
+    const Number p = pressure(Number(
+        logarithm(stage.p) - plastic_index_ / parameters_.swelling_index * u));
+    return {p, shear(bulk(p, volume)), Number(plastic_index_ * u / volume)};
+  }
+
+  template <class Number>
+  bool start_stage(const PlasticPoint<Number> &start,
+                   const PlasticPoint<Number> *middle,
+                   Stage<Number> &stage) const
+  {
+    Number flown = 0.; // plastic specific volume over lambda - kappa
+    if (middle)
+      flown = TwoStageMethod::base * (middle->hardening - start.hardening);
+    stage.hardening = start.hardening + flown;
+    stage.p = pressure(
+        Number(logarithm(start.p) +
+               (specific_volume(start.compaction) -
+                specific_volume(stage.compaction) - plastic_index_ * flown) /
+                   parameters_.swelling_index));
+    return true;
+  }
+
+  template <class Number>
+  PlasticPoint<Number> elastic(const PlasticPoint<Number> &point,
+                               const Components<Number> &strain,
+                               const Number &share) const
+  {
+    const Number rate = compaction_of(strain);
+    PlasticPoint<Number> end = point;
+    end.compaction += share * rate;
+    end.p = pressure(
+        Number(logarithm(point.p) + (specific_volume(point.compaction) -
+                                     specific_volume(end.compaction)) /
+                                        parameters_.swelling_index));
+    // The secant: change of pressure over compaction, times the share.
+    Number secant = share * bulk(point);
+    if (std::abs(value_of(rate)) > 1e-6)
+      secant = (end.p - point.p) / rate;
+    else
+      secant *= 1. + 0.5 * share * rate * stiffening(point);
+    const auto shape = deviator_of(strain);
+    for (unsigned k = 0; k < 6; ++k)
+      end.deviator[k] += 2. * shear(secant) * shape[k];
+    end.yielding = false;
+    return end;
+  }
+
+  struct Moduli {
+    double bulk, shear; ///< [Pa]
+  };
+  template <class Number>
+  Moduli moduli(const PlasticPoint<Number> &point) const
+  {
+    const double K = value_of(bulk(point));
+    return {K, shear(K)};
+  }
+
+private:
+  template <class Number>
+  Number specific_volume(const Number &compaction) const
+  {
+    using std::exp;
+    return Number(specific_volume_ * exp(-compaction));
+  }
+
+  /// psi(p).
+  template <class Number>
+  Number logarithm(const Number &p) const
+  {
+    using std::log;
+    const Number x = p / parameters_.floor_pressure;
+    return x > 1. ? Number(log(x)) : Number(x - 1.);
+  }
+
+  /// The pressure where psi has this value.
+  template <class Number>
+  Number pressure(const Number &logarithm) const
+  {
+    using std::exp;
+    return logarithm > 0.
+               ? Number(parameters_.floor_pressure * exp(logarithm))
+               : Number(parameters_.floor_pressure * (1. + logarithm));
+  }
+
+  template <class Number>
+  Number bulk(const Number &p, const Number &volume) const
+  {
+    Number felt = parameters_.floor_pressure;
+    if (p > felt)
+      felt = p;
+    return Number(volume * felt / parameters_.swelling_index);
+  }
+  template <class Number>
+  Number bulk(const PlasticPoint<Number> &point) const
+  {
+    return bulk(point.p, specific_volume(point.compaction));
+  }
+  template <class Number>
+  Number shear(const Number &bulk) const
+  {
+    return Number(shear_ratio_ * bulk);
+  }
+
+  /// (dK / d compaction) / K in elastic compaction.
+  template <class Number>
+  Number stiffening(const PlasticPoint<Number> &point) const
+  {
+    if (point.p > parameters_.floor_pressure)
+      return Number(
+          specific_volume(point.compaction) / parameters_.swelling_index - 1.);
+    return -1.;
+  }
+
+  const ModifiedCamClayParameters &parameters_;
+  const double specific_volume_, plastic_index_, shear_ratio_;
+};
+
+/// Integrates with or without derivatives. False if the increment failed.
+template <class Number>
+bool integrate(const ModifiedCamClayParameters &parameters,
+               const ModifiedCamClay::State &old,
+               const Corotation &corotation,
+               ModifiedCamClay::State &now,
+               Response &response)
+{
+  const CamClayIncrement law(parameters, 1 / old.relative_density);
+  auto point = start_from<Number>(old.stress);
+  point.hardening = std::log(old.yield_pressure / parameters.floor_pressure);
+  const PlasticPath<CamClayIncrement, Number> path(
+      law,
+      independent<Number>(corotation.log_stretch()),
+      parameters.integration_tolerance);
+  if (!path.advance(point))
+    return false;
+  const auto answer = corotated_stress(point);
+  now.stress = corotation.rotate(answer.stress);
+  now.yield_pressure = law.surface(value_of(point.hardening)).yield_pressure;
+  now.plastic_compaction += point.plastic_compaction;
+  now.plastic_shear += point.plastic_shear;
+  now.yielding = point.yielding;
+  if constexpr (!std::is_same_v<Number, double>)
+    response.tangent = corotation.tangent(answer);
+  return std::isfinite(now.stress.norm()) &&
+         std::isfinite(response.tangent.norm()) && now.yield_pressure > 0;
+}
+} // namespace
+
+void ModifiedCamClayParameters::check() const
+{
+  expect_value(critical_state_slope > 0 && critical_state_slope < 3,
+               "critical state slope [-]",
+               critical_state_slope,
+               "above 0 and below 3");
+  expect_value(
+      swelling_index > 0, "swelling index [-]", swelling_index, "above 0");
+  expect_value(compression_index > swelling_index &&
+                   std::isfinite(compression_index),
+               "compression index [-]",
+               compression_index,
+               "above the swelling index");
+  expect_value(poissons_ratio > -1 && poissons_ratio < 0.5,
+               "Poisson's ratio [-]",
+               poissons_ratio,
+               "between -1 and 0.5");
+  expect_value(initial_relative_density > 0 && initial_relative_density <= 1,
+               "initial relative density [-]",
+               initial_relative_density,
+               "above 0 and up to 1");
+  expect_value(initial_yield_pressure > 0 &&
+                   std::isfinite(initial_yield_pressure),
+               "initial yield pressure [Pa]",
+               initial_yield_pressure,
+               "above 0");
+  expect_value(floor_pressure > 0 && std::isfinite(floor_pressure),
+               "floor pressure [Pa]",
+               floor_pressure,
+               "above 0");
+  expect_value(integration_tolerance > 0 && integration_tolerance <= 0.01,
+               "integration tolerance [-]",
+               integration_tolerance,
+               "above 0 and up to 0.01");
+}
+
+ModifiedCamClay::ModifiedCamClay(const ModifiedCamClayParameters &parameters)
+    : parameters_(parameters)
+{
+  parameters_.check();
+}
+
+ModifiedCamClay::State ModifiedCamClay::initial_state() const
+{
+  State state;
+  state.relative_density = parameters_.initial_relative_density;
+  state.yield_pressure = parameters_.initial_yield_pressure;
+  return state;
+}
+
+Response ModifiedCamClay::respond(const State &old,
+                                  State &now,
+                                  const Deformation &deformation,
+                                  const Want want) const
+{
+  now = old;
+  Response response{old.stress, {}, old.relative_density, Status::failed};
+  const Corotation corotation(deformation.relative_F);
+  if (!corotation.is_possible() ||
+      corotation.log_stretch().norm() > largest_strain)
+    return response;
+  const bool good =
+      want == Want::stress
+          ? integrate<double>(parameters_, old, corotation, now, response)
+          : integrate<StrainDerivative>(
+                parameters_, old, corotation, now, response);
+  if (!good) {
+    now = old;
+    response.tangent = {};
+    return response;
+  }
+  now.relative_density = old.relative_density / corotation.volume_ratio();
+  response.stress = now.stress;
+  response.relative_density = now.relative_density;
+  response.status =
+      now.relative_density > 1 ? Status::doubtful : Status::converged;
+  return response;
+}
+
+CamClaySurface<double> ModifiedCamClay::surface(const State &state) const
+{
+  return {parameters_.critical_state_slope, state.yield_pressure};
+}
+} // namespace tamp::fem
