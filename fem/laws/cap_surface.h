@@ -35,6 +35,7 @@ struct CapConstants {
 /// dilation towards q = 0, so the apex needs no rule of its own.
 template <class Number>
 struct CapSurface {
+  CapSurface() = default;
   explicit CapSurface(const CapConstants<Number> &constants)
       : cohesion(constants.cohesion), eccentricity(constants.eccentricity),
         transition(constants.transition)
@@ -102,12 +103,12 @@ struct CapSurface {
             Number(q / (factor * factor))};
   }
 
-  Number cohesion, eccentricity; ///< d [Pa], R_c [-]
-  double transition;             ///< alpha [-]
-  Number tan_beta, inverse_cosine;
-  Number centre;   ///< p_a: where the cap begins [Pa]
-  Number strength; ///< A: the shear line at p_a [Pa]
-  Number factor;   ///< c [-]
+  Number cohesion = 0., eccentricity = 0.; ///< d [Pa], R_c [-]
+  double transition = 0;                   ///< alpha [-]
+  Number tan_beta = 0., inverse_cosine = 0.;
+  Number centre = 0.;   ///< p_a: where the cap begins [Pa]
+  Number strength = 0.; ///< A: the shear line at p_a [Pa]
+  Number factor = 0.;   ///< c [-]
 };
 } // namespace tamp::fem
 
