@@ -14,6 +14,10 @@ using dealii::SymmetricTensor;
 namespace
 {
 using Surface = DruckerPragerCap::Surface;
+
+/// A part is never shorter than 2^-8 of what it began with.
+constexpr unsigned most_halvings = 8;
+
 using Six = std::array<double, 6>; ///< a tensor, order of SymmetricTensor
 
 /// All that an isotropic law can take from a strain: the derivatives are by
@@ -124,7 +128,7 @@ public:
     const double parts = std::max(
         1., std::ceil(size_ / parameters_.maximum_strain_increment - 1e-9));
     for (unsigned i = 0; i < parts; ++i)
-      if (!advance(1 / parts, 8))
+      if (!advance(1 / parts, most_halvings))
         return false;
     return std::isfinite(value_of(point_.p)) &&
            std::isfinite(value_of(point_.old_share)) &&
@@ -144,17 +148,99 @@ public:
     result.plastic_compaction = value_of(point_.compaction);
     result.plastic_shear = point_.plastic_shear;
     result.surface = point_.surface;
+    result.is_resolved = is_resolved_;
     return result;
   }
 
 private:
-  /// A part of the increment, or its halves if it does not converge.
-  bool advance(const double share, const unsigned halvings)
+  /// A share of the increment in one part and in two, which makes an answer of
+  /// second order and an estimate of error; where that is too large, or a part
+  /// does not converge, the same for its halves.
+  /// @param whole  the share in one part, if it is known.
+  bool advance(const double share,
+               const unsigned halvings,
+               const Point<Number> *known = nullptr)
   {
-    if (part(point_, share))
+    Point<Number> whole = known ? *known : point_;
+    bool good = known || part(whole, share);
+    if (good && whole.surface == Surface::none) {
+      point_ = whole;
       return true;
-    return halvings > 0 && advance(share / 2, halvings - 1) &&
+    }
+    Point<Number> half = point_;
+    const bool half_good = part(half, share / 2);
+    if (half_good && half.surface == Surface::none && halvings > 0) {
+      // One part and two would agree, however far they flow.
+      point_ = half;
+      return advance(share / 2, halvings - 1);
+    }
+    Point<Number> both = half;
+    good = good && half_good && part(both, share / 2);
+    if (good) {
+      const bool exact =
+          difference(whole, both) <= parameters_.integration_tolerance;
+      if (exact || halvings == 0) {
+        point_ = joined(whole, both);
+        is_resolved_ = is_resolved_ && exact;
+        return true;
+      }
+    }
+    return halvings > 0 &&
+           advance(share / 2, halvings - 1, half_good ? &half : nullptr) &&
            advance(share / 2, halvings - 1);
+  }
+
+  Six deviator_of(const double old_share, const double strain_share) const
+  {
+    Six s;
+    for (unsigned k = 0; k < 6; ++k)
+      s[k] = old_share * old_[k] + strain_share * strain_[k];
+    return s;
+  }
+  Six deviator_of(const Point<Number> &point) const
+  {
+    return deviator_of(value_of(point.old_share), value_of(point.strain_share));
+  }
+
+  /// Of two stresses, over their norm; a hundredth of the size of the surface
+  /// is added so that stresses close to zero need no better.
+  double difference(const Point<Number> &a, const Point<Number> &b) const
+  {
+    Six s = deviator_of(a);
+    const Six t = deviator_of(b);
+    const double p = value_of(b.p),
+                 size = value_of(b.at.radius()) + value_of(b.at.strength);
+    const double norm = std::sqrt(contract(t, t) + 3 * p * p) + 0.01 * size;
+    for (unsigned k = 0; k < 6; ++k)
+      s[k] -= t[k];
+    const double off = value_of(a.p) - p;
+    return std::sqrt(contract(s, s) + 3 * off * off) / norm;
+  }
+
+  /// From the same share in one part and in two, each with an error of second
+  /// order in it: what has one of third order, drawn to the surface. Where the
+  /// branches differ the two parts stand.
+  Point<Number> joined(const Point<Number> &one, const Point<Number> &two)
+  {
+    if (two.surface == Surface::none ||
+        (one.surface == Surface::cap) != (two.surface == Surface::cap))
+      return two;
+    Point<Number> point = two;
+    point.old_share = 2. * two.old_share - one.old_share;
+    point.strain_share = 2. * two.strain_share - one.strain_share;
+    point.p = 2. * two.p - one.p;
+    point.compaction = 2. * two.compaction - one.compaction;
+    point.plastic_shear = 2 * two.plastic_shear - one.plastic_shear;
+    point.at = tables_.surface(value_of(point.compaction));
+    const auto s = carry(point.at, point.compaction);
+    const bool on_cap = two.surface == Surface::cap;
+    if (on_cap != (value_of(point.p) > value_of(s.centre)))
+      return two;
+    const Number q = deviatoric(point.old_share, point.strain_share, point.at);
+    const Number ratio = s.draw(point.p, q);
+    point.old_share *= ratio;
+    point.strain_share *= ratio;
+    return point;
   }
 
   /// One backward Euler part. False, and nothing changed, if the return did
@@ -168,7 +254,7 @@ private:
     trial.compaction = point.compaction;
     trial.p = point.p + trial.bulk * share * volume_;
     const Number strain_share = point.strain_share + 2. * share * trial.shear;
-    trial.q = deviatoric(point.old_share, strain_share);
+    trial.q = deviatoric(point.old_share, strain_share, point.at);
 
     const CapReturn found = return_to_surface(tables_,
                                               point.at,
@@ -202,19 +288,19 @@ private:
   }
 
   /// q of old_share s_0 + strain_share e. Its value is that of the sum: the
-  /// invariants would lose half of the digits close to q = 0.
-  Number deviatoric(const Number &old_share, const Number &strain_share) const
+  /// invariants would lose half of the digits close to q = 0. What is
+  /// round-off in stresses of the size of a surface is zero, in all directions.
+  Number deviatoric(const Number &old_share,
+                    const Number &strain_share,
+                    const CapSurface<ByCompaction> &at) const
   {
-    Six s;
-    for (unsigned k = 0; k < 6; ++k)
-      s[k] =
-          value_of(old_share) * old_[k] + value_of(strain_share) * strain_[k];
+    const Six s = deviator_of(value_of(old_share), value_of(strain_share));
     const double q = std::sqrt(1.5 * contract(s, s));
+    if (q <= 1e-14 * value_of(at.strength))
+      return 0.;
     if constexpr (std::is_same_v<Number, double>)
       return q;
     else {
-      if (!(q > 0))
-        return 0.;
       Number result = 0.75 / q *
                       (old_share * old_share * contract(old_, old_) +
                        2. * old_share * strain_share * mixed_ +
@@ -257,6 +343,7 @@ private:
   Number volume_, mixed_, square_; ///< v, w, u
   const double size_;
   Point<Number> point_;
+  bool is_resolved_ = true;
 };
 
 template <class Number>

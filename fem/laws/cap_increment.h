@@ -15,6 +15,7 @@ struct CapAnswer {
   double plastic_compaction = 0; ///< eps [-]
   double plastic_shear = 0;      ///< [-]
   DruckerPragerCap::Surface surface = DruckerPragerCap::Surface::none;
+  bool is_resolved = true; ///< the error met its tolerance
 };
 
 /// Integrates an increment; none if it failed.

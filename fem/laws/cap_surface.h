@@ -88,6 +88,26 @@ struct CapSurface {
     return Number(q - shear_limit(p));
   }
 
+  /// Draws a point close to the surface onto it: on the cap straight to its
+  /// centre, close to the apex along p, between them along q. Returns the
+  /// factor for q.
+  Number draw(Number &p, const Number &q) const
+  {
+    using std::sqrt;
+    const Number off = p - centre;
+    if (off > 0.) {
+      const Number height = eccentricity * q / factor;
+      const Number ratio = radius() / sqrt(off * off + height * height);
+      p = centre + off * ratio;
+      return ratio;
+    }
+    if (p < 0.5 * (apex() + transition_begin())) {
+      p = (q - cohesion) / tan_beta;
+      return Number(1.);
+    }
+    return Number(shear_limit(p) / q);
+  }
+
   /// Direction of plastic flow at a point of the surface: how much compaction
   /// and how much shear, not normalised.
   struct Flow {

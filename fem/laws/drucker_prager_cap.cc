@@ -96,6 +96,10 @@ void DruckerPragerCapParameters::check() const
          "maximum strain increment [-]",
          maximum_strain_increment,
          "above 0");
+  expect(integration_tolerance > 0,
+         "integration tolerance [-]",
+         integration_tolerance,
+         "above 0");
 }
 
 DruckerPragerCap::DruckerPragerCap(const DruckerPragerCapParameters &parameters)
@@ -142,7 +146,9 @@ Response DruckerPragerCap::respond(const State &old,
   now.outside_tables = outside_tables(parameters_, now.plastic_compaction);
   response.stress = now.stress;
   response.relative_density = now.relative_density;
-  response.status = now.outside_tables ? Status::doubtful : Status::converged;
+  response.status = now.outside_tables || !answer->is_resolved
+                        ? Status::doubtful
+                        : Status::converged;
   return response;
 }
 
