@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fem/laws/bracketed_root.h>
 #include <fem/laws/cap_return.h>
 
 #include <algorithm>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -16,33 +16,6 @@ using Unknowns = std::array<double, 2>;
 
 /// Value and derivative by the two unknowns of a return.
 using Derivative2 = Sacado::Fad::SFad<double, 2>;
-
-/// Root between a and b, where the function changes its sign; none otherwise.
-template <class Function>
-std::optional<double> bracketed_root(const Function &f, double a, double b)
-{
-  const double fa = f(a), fb = f(b);
-  if (!std::isfinite(fa) || !std::isfinite(fb) || (fa > 0) == (fb > 0)) {
-    if (std::abs(fa) <= 0)
-      return a;
-    if (std::abs(fb) <= 0)
-      return b;
-    return {};
-  }
-  const bool turned = a > b;
-  std::uintmax_t iterations = 100;
-  const auto bracket = boost::math::tools::toms748_solve(
-      f,
-      turned ? b : a,
-      turned ? a : b,
-      turned ? fb : fa,
-      turned ? fa : fb,
-      [](const double l, const double r) {
-        return std::abs(r - l) <= 1e-15 * std::abs(l + r) + 1e-300;
-      },
-      iterations);
-  return 0.5 * (bracket.first + bracket.second);
-}
 
 /// Goes from 0 in steps of growing size, first `step`, until f has the sign of
 /// the step reversed, which it has in the end; then finds the root.

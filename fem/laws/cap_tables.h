@@ -3,23 +3,14 @@
 #define fem_laws_cap_tables_h
 
 #include <fem/laws/drucker_prager_cap.h>
+#include <fem/laws/strain_derivative.h>
 
-#include <Sacado.hpp>
+#include <type_traits>
 
 namespace tamp::fem
 {
 /// A value and its derivative by the plastic volumetric strain.
 using ByCompaction = Sacado::Fad::SFad<double, 1>;
-
-inline double value_of(const double number)
-{
-  return number;
-}
-template <int size>
-double value_of(const Sacado::Fad::SFad<double, size> &number)
-{
-  return number.val();
-}
 
 /// Moduli K and G [Pa].
 template <class Number>

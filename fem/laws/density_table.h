@@ -61,6 +61,8 @@ public:
   /// reads often keeps it as long as it holds.
   Line line(double x) const;
 
+  /// As given; a constant has one row at 0.
+  const TableRows &rows() const { return rows_; }
   /// The first and last place; minus and plus infinity for a constant.
   double first_place() const;
   double last_place() const;
