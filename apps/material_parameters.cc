@@ -63,7 +63,8 @@ void check_material(const ParameterTable &table,
                              "Friction angle",
                              "Cap eccentricity",
                              "Hardening densities",
-                             "Hydrostatic yield pressure"})
+                             "Hydrostatic yield pressure",
+                             "Transition"})
       names.emplace_back(name);
     check_values(table, below("Material/Drucker-Prager cap", names), make);
     break;

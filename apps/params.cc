@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <apps/commands.h>
 #include <apps/parameter_table.h>
+#include <apps/powder.h>
 
 #include <fmt/format.h>
 #include <iostream>
@@ -23,6 +24,7 @@ int check_parameters(const std::filesystem::path &input)
   ParameterTable table;
   declare_parameters(table);
   table.read(input);
+  take_powder(table);
   read_input(table, Need::everything);
   fmt::print("{}: can be read\n", input.string());
   return exit_done;

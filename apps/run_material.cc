@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <apps/run_material.h>
 #include <coupling/whole_file.h>
+#include <fem/laws/cap_remarks.h>
 
 #include <fmt/format.h>
 #include <stdexcept>
@@ -46,11 +47,22 @@ void warn_of_history(RunSession &session, coupling::History history)
                  "that they have, and the pressure may be another");
 }
 
+void warn_of_law(RunSession &session)
+{
+  const coupling::MaterialChoice &choice = session.input().material;
+  if (choice.kind != coupling::MaterialKind::drucker_prager_cap)
+    return;
+  for (const fem::Remark &remark :
+       fem::remarks(coupling::cap_parameters(choice.cap)))
+    session.warn("Material/Drucker-Prager cap: " + remark.text());
+}
+
 coupling::Material prepare_material(RunSession &session, std::size_t count)
 {
   const coupling::MaterialChoice &choice = session.input().material;
   RunLog &log = session.log();
   const bool cells = choice.kind == coupling::MaterialKind::unit_cell;
+  warn_of_law(session);
   if (cells) {
     warn_of_contact_model(session);
     log.begin(packing_title(choice, choice.same_packing ? 1 : count));

@@ -27,6 +27,9 @@ std::string packing_title(const coupling::MaterialChoice &choice,
 /// Warns if stored packings are not as they were stored.
 void warn_of_history(RunSession &session, coupling::History history);
 
+/// Warns of what is easily overlooked in the tables of a continuum law.
+void warn_of_law(RunSession &session);
+
 /// Warns of a work of adhesion and a normal law that do not fit together.
 void warn_of_contact_model(RunSession &session);
 } // namespace tamp::apps

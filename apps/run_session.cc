@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <apps/build_facts.h>
 #include <apps/parameter_table.h>
+#include <apps/powder.h>
 #include <apps/run_session.h>
 
 #include <algorithm>
@@ -90,6 +91,7 @@ RunSession::RunSession(const std::string &command,
   table.read(options.input);
   for (const std::string &setting : options.settings)
     table.set(setting);
+  take_powder(table);
   input_ = read_input(table, need);
   record_.command = command;
   record_.input = options.input;

@@ -84,6 +84,13 @@ void declare_elastic(ParameterTable &table)
 void declare_cap(ParameterTable &table)
 {
   table.enter("Drucker-Prager cap");
+  table.choice("Powder",
+               "mcc ph102",
+               {"mcc ph102", "agcusnin"},
+               "Whose tables hold where nothing else is given below: Avicel "
+               "PH-102 (the defaults that stand here) or the metal powder "
+               "AgCuSnIn (public tables after Zhou et al. 2017; angle, "
+               "eccentricity and elasticity linear between their ends)");
   table.quantity("Initial relative density",
                  "0.3411",
                  dimension::number,
@@ -129,6 +136,18 @@ void declare_cap(ParameterTable &table)
                    positive,
                    "p_b, where the cap meets the pressure axis, at the "
                    "hardening densities");
+  table.quantity("Transition",
+                 "0",
+                 dimension::number,
+                 {0, 0.1},
+                 "alpha, the size of the arc between shear line and cap; 0: a "
+                 "corner");
+  table.quantity("Integration tolerance",
+                 "1e-3",
+                 dimension::number,
+                 {0, 1, true, false},
+                 "Estimated relative error of stress by which increments are "
+                 "divided; the answer is more accurate");
   table.leave();
 }
 
@@ -148,6 +167,8 @@ coupling::CapChoice read_cap(const ParameterTable &table)
   cap.initial_relative_density =
       table.number(section + "/Initial relative density");
   cap.elasticity = read_elasticity(table, section);
+  cap.transition = table.number(section + "/Transition");
+  cap.integration_tolerance = table.number(section + "/Integration tolerance");
   const std::string shape = section + "/Shape densities";
   cap.relative_density = increasing(table, shape);
   for (const char *name : {"/Cohesion", "/Friction angle", "/Cap eccentricity"})

@@ -64,18 +64,7 @@ Material make_elastic(const ElasticChoice &choice, std::size_t count)
 
 Material make_cap(const CapChoice &choice, std::size_t count)
 {
-  fem::DruckerPragerCapParameters parameters;
-  parameters.elasticity = elasticity(choice.elasticity);
-  parameters.cohesion =
-      table(choice.relative_density, choice.cohesion, "cohesion");
-  parameters.friction_angle =
-      table(choice.relative_density, choice.friction_angle, "friction angle");
-  parameters.eccentricity = table(
-      choice.relative_density, choice.cap_eccentricity, "cap eccentricity");
-  parameters.hardening = hardening(choice);
-  parameters.reference_density = choice.hardening_density.front();
-  parameters.initial_relative_density = choice.initial_relative_density;
-  return make_points(fem::DruckerPragerCap(parameters), count);
+  return make_points(fem::DruckerPragerCap(cap_parameters(choice)), count);
 }
 
 StoredPackings find_packings(const MaterialChoice &choice,
@@ -121,6 +110,24 @@ Material make_cells(const MaterialChoice &choice,
   return material;
 }
 } // namespace
+
+fem::DruckerPragerCapParameters cap_parameters(const CapChoice &choice)
+{
+  fem::DruckerPragerCapParameters parameters;
+  parameters.elasticity = elasticity(choice.elasticity);
+  parameters.cohesion =
+      table(choice.relative_density, choice.cohesion, "cohesion");
+  parameters.friction_angle =
+      table(choice.relative_density, choice.friction_angle, "friction angle");
+  parameters.eccentricity = table(
+      choice.relative_density, choice.cap_eccentricity, "cap eccentricity");
+  parameters.hardening = hardening(choice);
+  parameters.reference_density = choice.hardening_density.front();
+  parameters.initial_relative_density = choice.initial_relative_density;
+  parameters.transition = choice.transition;
+  parameters.integration_tolerance = choice.integration_tolerance;
+  return parameters;
+}
 
 Material make_material(const MaterialChoice &choice,
                        std::size_t count,

@@ -15,6 +15,11 @@
 #include <memory>
 #include <vector>
 
+namespace tamp::fem
+{
+struct DruckerPragerCapParameters;
+}
+
 namespace tamp::coupling
 {
 class UnitCellPoints;
@@ -50,7 +55,12 @@ struct CapChoice {
   std::vector<double> cap_eccentricity;  ///< R [-]
   std::vector<double> hardening_density; ///< increasing [-]
   std::vector<double> hydrostatic_yield; ///< p_b [Pa]
+  double transition = 0;                 ///< alpha [-]
+  double integration_tolerance = 1e-3;   ///< see the law [-]
 };
+
+/// The constants of the law. Throws std::invalid_argument if a table is none.
+fem::DruckerPragerCapParameters cap_parameters(const CapChoice &choice);
 
 /// Which material the points are made of, and all that it needs. The fields of
 /// the other materials are not used.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fem/laws/bracketed_root.h>
 #include <fem/laws/cap_return.h>
-#include <fem/laws/strain_derivative.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 namespace tamp::fem
@@ -32,33 +32,61 @@ std::optional<double> root_from_zero(const Function &f, double step)
 class Return
 {
 public:
-  Return(const DruckerPragerCapParameters &parameters,
+  Return(CapTables &tables,
+         const CapSurface<ByCompaction> &start,
          const CapTrial<double> &trial)
-      : parameters_(parameters), trial_(trial)
+      : tables_(tables), start_(values_of(start)), trial_(trial)
   {
   }
 
-  CapReturn solve() const
+  CapReturn solve()
   {
-    const auto start = cap_surface(parameters_, trial_.compaction);
-    const double scale = start.radius() + start.top();
-    if (start.yield(trial_.p, trial_.q) <= 1e-13 * scale)
-      return {Surface::none, 0, 0, {}, true};
-    const bool on_cap = trial_.p > start.centre;
+    const double scale = start_.radius() + start_.top();
+    if (start_.yield(trial_.p, trial_.q) <= 1e-13 * scale) {
+      CapReturn inside;
+      inside.converged = true;
+      return inside;
+    }
+    const bool on_cap = trial_.p > start_.centre;
+    const auto found = newton(on_cap, guess(on_cap));
+    if (found.converged && is_admissible(on_cap, found))
+      return found;
     const auto unknowns = on_cap ? cap() : shear();
     if (!unknowns)
       return {};
-    return polish(on_cap, *unknowns);
+    return newton(on_cap, *unknowns);
   }
 
 private:
-  CapSurface<double> surface(const double x) const
+  CapSurface<double> surface(const double x)
   {
-    return cap_surface(parameters_, trial_.compaction + x);
+    return values_of(tables_.surface(trial_.compaction + x));
   }
   double p(const double x) const { return trial_.p - trial_.bulk * x; }
 
-  std::optional<Unknowns> cap() const
+  /// The trial state, drawn straight to the surface it left.
+  Unknowns guess(const bool on_cap) const
+  {
+    return {0,
+            on_cap ? std::atan2(trial_.q / start_.top(),
+                                (trial_.p - start_.centre) / start_.radius())
+                   : std::max(0., start_.shear_limit(trial_.p))};
+  }
+
+  /// Whether plastic flow goes outwards, on the branch it was sought on.
+  bool is_admissible(const bool on_cap, const CapReturn &found) const
+  {
+    constexpr double slack = 1e-12;
+    const double x = found.compaction_change, position = found.position;
+    if (on_cap)
+      return x >= -slack && position >= -slack &&
+             position <= std::numbers::pi / 2 + slack;
+    const auto s = values_of(found.at);
+    return x <= slack && position >= 0 && position <= trial_.q &&
+           p(x) <= s.centre + slack * s.radius();
+  }
+
+  std::optional<Unknowns> cap()
   {
     const double stride =
         (trial_.p - surface(0).apex()) / trial_.bulk; // beyond the root
@@ -102,7 +130,7 @@ private:
                     std::atan2(height(*x), (p(*x) - s.centre) / s.radius())};
   }
 
-  std::optional<Unknowns> shear() const
+  std::optional<Unknowns> shear()
   {
     const auto start = surface(0);
     const double stride =
@@ -125,7 +153,7 @@ private:
     const auto x = bracketed_root(
         [&](const double x) {
           return return_residual<double>(
-              parameters_, trial_, false, {x, limit(x)})[1];
+              surface(x), trial_, false, {x, limit(x)})[1];
         },
         begin,
         *end);
@@ -134,124 +162,77 @@ private:
     return Unknowns{*x, limit(*x)};
   }
 
-  /// Newton steps from a good start; keeps the best.
-  CapReturn polish(const bool on_cap, Unknowns unknowns) const
+  /// Newton steps until they are lost in round-off; keeps the best.
+  CapReturn newton(const bool on_cap, Unknowns unknowns)
   {
     CapReturn best;
     double best_error = 1e300;
-    for (unsigned iteration = 0; iteration < 12; ++iteration) {
-      const auto e = evaluate(on_cap, unknowns);
-      const auto s = surface(unknowns[0]);
-      const double scale = s.radius() + s.top();
+    for (unsigned iteration = 0; iteration < 20; ++iteration) {
+      const auto at = tables_.surface(trial_.compaction + unknowns[0]);
+      const auto e = residual(on_cap, at, unknowns);
+      const double scale = value_of(at.radius()) + value_of(at.top());
       const double error =
           std::max(std::abs(e[0].val()),
                    std::abs(e[1].val()) / (on_cap ? 1 : scale)) /
           scale;
       const double a = e[0].dx(0), b = e[0].dx(1), c = e[1].dx(0),
                    d = e[1].dx(1), determinant = a * d - b * c;
-      if (!(error < best_error) || !(std::abs(determinant) > 0))
+      if (!(error < best_error) && (best_error < 1e-10 || iteration > 12))
         break;
-      best_error = error;
-      best = {name_of(on_cap, unknowns),
-              unknowns[0],
-              unknowns[1],
-              {{{d / determinant, -b / determinant},
-                {-c / determinant, a / determinant}}},
-              error < 1e-10};
-      const auto &inverse = best.inverse_jacobian;
-      for (unsigned i = 0; i < 2; ++i)
-        unknowns[i] -= inverse[i][0] * e[0].val() + inverse[i][1] * e[1].val();
-      if (error < 1e-15)
+      if (!std::isfinite(error) || !(std::abs(determinant) > 0))
         break;
+      if (error < best_error) {
+        best_error = error;
+        best = {Surface::none,
+                unknowns[0],
+                unknowns[1],
+                {{{d / determinant, -b / determinant},
+                  {-c / determinant, a / determinant}}},
+                at,
+                error < 1e-10};
+      }
+      if (error < 1e-14)
+        break;
+      unknowns[0] -= (d * e[0].val() - b * e[1].val()) / determinant;
+      unknowns[1] -= (a * e[1].val() - c * e[0].val()) / determinant;
     }
+    best.surface = name_of(on_cap, best);
     return best;
   }
 
-  std::array<Derivative2, 2> evaluate(const bool on_cap,
+  std::array<Derivative2, 2> residual(const bool on_cap,
+                                      const CapSurface<ByCompaction> &at,
                                       const Unknowns &unknowns) const
   {
     const CapTrial<Derivative2> trial{
         trial_.p, trial_.q, trial_.bulk, trial_.shear, trial_.compaction};
+    const Derivative2 x(2, 0, unknowns[0]);
     return return_residual<Derivative2>(
-        parameters_,
-        trial,
-        on_cap,
-        {Derivative2(2, 0, unknowns[0]), Derivative2(2, 1, unknowns[1])});
+        carry(at, x), trial, on_cap, {x, Derivative2(2, 1, unknowns[1])});
   }
 
-  Surface name_of(const bool on_cap, const Unknowns &unknowns) const
+  Surface name_of(const bool on_cap, const CapReturn &found) const
   {
     if (on_cap)
       return Surface::cap;
-    const auto s = surface(unknowns[0]);
-    if (unknowns[1] <= 1e-6 * s.top())
+    const auto s = values_of(found.at);
+    if (found.position <= 1e-6 * s.top())
       return Surface::apex;
-    return s.transition > 0 && p(unknowns[0]) > s.transition_begin()
+    return s.transition > 0 && p(found.compaction_change) > s.transition_begin()
                ? Surface::transition
                : Surface::shear;
   }
 
-  const DruckerPragerCapParameters &parameters_;
+  CapTables &tables_;
+  const CapSurface<double> start_;
   const CapTrial<double> trial_;
 };
 } // namespace
 
-template <class Number>
-CapSurface<Number> cap_surface(const DruckerPragerCapParameters &parameters,
-                               const Number &compaction)
-{
-  using std::exp;
-  const Number density = parameters.reference_density * exp(compaction);
-  return CapSurface<Number>({read(parameters.cohesion, density),
-                             read(parameters.friction_angle, density),
-                             read(parameters.eccentricity, density),
-                             read(parameters.hardening, compaction),
-                             parameters.transition});
-}
-
-template <class Number>
-std::array<Number, 2>
-return_residual(const DruckerPragerCapParameters &parameters,
-                const CapTrial<Number> &trial,
-                const bool on_cap,
-                const std::array<Number, 2> &unknowns)
-{
-  using std::cos;
-  using std::sin;
-  const auto &[x, position] = unknowns;
-  const CapSurface<Number> s =
-      cap_surface(parameters, Number(trial.compaction + x));
-  const Number p = trial.p - trial.bulk * x;
-  if (on_cap) {
-    const Number cosine = cos(position), sine = sin(position);
-    return {Number(s.centre + s.radius() * cosine - p),
-            Number((trial.q - s.top() * sine) * cosine -
-                   3. * trial.shear * x * s.eccentricity / s.factor * sine)};
-  }
-  return {
-      Number(position - s.shear_limit(p)),
-      Number(3. * trial.shear * x * position / (s.factor * s.factor) +
-             (trial.q - position) * (s.centre - p) * s.tan_beta * s.tan_beta)};
-}
-
-CapReturn return_to_surface(const DruckerPragerCapParameters &parameters,
+CapReturn return_to_surface(CapTables &tables,
+                            const CapSurface<ByCompaction> &start,
                             const CapTrial<double> &trial)
 {
-  return Return(parameters, trial).solve();
+  return Return(tables, start, trial).solve();
 }
-
-template CapSurface<double> cap_surface(const DruckerPragerCapParameters &,
-                                        const double &);
-template CapSurface<StrainDerivative>
-cap_surface(const DruckerPragerCapParameters &, const StrainDerivative &);
-template std::array<double, 2>
-return_residual(const DruckerPragerCapParameters &,
-                const CapTrial<double> &,
-                bool,
-                const std::array<double, 2> &);
-template std::array<StrainDerivative, 2>
-return_residual(const DruckerPragerCapParameters &,
-                const CapTrial<StrainDerivative> &,
-                bool,
-                const std::array<StrainDerivative, 2> &);
 } // namespace tamp::fem

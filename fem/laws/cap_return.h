@@ -2,7 +2,7 @@
 #ifndef fem_laws_cap_return_h
 #define fem_laws_cap_return_h
 
-#include <fem/laws/drucker_prager_cap.h>
+#include <fem/laws/cap_tables.h>
 
 #include <array>
 
@@ -26,17 +26,17 @@ struct CapReturn {
   /// Inverse of the Jacobian of the two residuals at the solution, [residual]
   /// last.
   std::array<std::array<double, 2>, 2> inverse_jacobian{};
+  /// The surface at the end.
+  CapSurface<ByCompaction> at;
   bool converged = false;
 };
 
-/// The surface at a plastic volumetric strain, differentiable.
-template <class Number>
-CapSurface<Number> cap_surface(const DruckerPragerCapParameters &parameters,
-                               const Number &compaction);
-
 /// Backward Euler return of a trial state that is not inside its surface; says
-/// `none` for one that is.
-CapReturn return_to_surface(const DruckerPragerCapParameters &parameters,
+/// `none` for one that is. Newton's method from the trial state; where that
+/// does not lead to an admissible root, roots are bracketed.
+/// @param start  the surface at the trial's compaction.
+CapReturn return_to_surface(CapTables &tables,
+                            const CapSurface<ByCompaction> &start,
                             const CapTrial<double> &trial);
 
 /// The two equations of a return, zero at the solution, for unknowns
@@ -47,12 +47,28 @@ CapReturn return_to_surface(const DruckerPragerCapParameters &parameters,
 ///   q - q_limit(p) = 0,
 ///   3 G x q / c^2 + (q_trial - q) (p_a - p) tan^2(beta) = 0,
 /// with p = p_trial - K x and x the change of compaction.
+/// @param s  the surface at the compaction of the end.
 template <class Number>
-std::array<Number, 2>
-return_residual(const DruckerPragerCapParameters &parameters,
-                const CapTrial<Number> &trial,
-                bool on_cap,
-                const std::array<Number, 2> &unknowns);
+std::array<Number, 2> return_residual(const CapSurface<Number> &s,
+                                      const CapTrial<Number> &trial,
+                                      const bool on_cap,
+                                      const std::array<Number, 2> &unknowns)
+{
+  using std::cos;
+  using std::sin;
+  const auto &[x, position] = unknowns;
+  const Number p = trial.p - trial.bulk * x;
+  if (on_cap) {
+    const Number cosine = cos(position), sine = sin(position);
+    return {Number(s.centre + s.radius() * cosine - p),
+            Number((trial.q - s.top() * sine) * cosine -
+                   3. * trial.shear * x * s.eccentricity / s.factor * sine)};
+  }
+  return {
+      Number(position - s.shear_limit(p)),
+      Number(3. * trial.shear * x * position / (s.factor * s.factor) +
+             (trial.q - position) * (s.centre - p) * s.tan_beta * s.tan_beta)};
+}
 } // namespace tamp::fem
 
 #endif

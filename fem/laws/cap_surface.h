@@ -35,6 +35,7 @@ struct CapConstants {
 /// dilation towards q = 0, so the apex needs no rule of its own.
 template <class Number>
 struct CapSurface {
+  CapSurface() = default;
   explicit CapSurface(const CapConstants<Number> &constants)
       : cohesion(constants.cohesion), eccentricity(constants.eccentricity),
         transition(constants.transition)
@@ -87,6 +88,26 @@ struct CapSurface {
     return Number(q - shear_limit(p));
   }
 
+  /// Draws a point close to the surface onto it: on the cap straight to its
+  /// centre, close to the apex along p, between them along q. Returns the
+  /// factor for q.
+  Number draw(Number &p, const Number &q) const
+  {
+    using std::sqrt;
+    const Number off = p - centre;
+    if (off > 0.) {
+      const Number height = eccentricity * q / factor;
+      const Number ratio = radius() / sqrt(off * off + height * height);
+      p = centre + off * ratio;
+      return ratio;
+    }
+    if (p < 0.5 * (apex() + transition_begin())) {
+      p = (q - cohesion) / tan_beta;
+      return Number(1.);
+    }
+    return Number(shear_limit(p) / q);
+  }
+
   /// Direction of plastic flow at a point of the surface: how much compaction
   /// and how much shear, not normalised.
   struct Flow {
@@ -102,12 +123,12 @@ struct CapSurface {
             Number(q / (factor * factor))};
   }
 
-  Number cohesion, eccentricity; ///< d [Pa], R_c [-]
-  double transition;             ///< alpha [-]
-  Number tan_beta, inverse_cosine;
-  Number centre;   ///< p_a: where the cap begins [Pa]
-  Number strength; ///< A: the shear line at p_a [Pa]
-  Number factor;   ///< c [-]
+  Number cohesion = 0., eccentricity = 0.; ///< d [Pa], R_c [-]
+  double transition = 0;                   ///< alpha [-]
+  Number tan_beta = 0., inverse_cosine = 0.;
+  Number centre = 0.;   ///< p_a: where the cap begins [Pa]
+  Number strength = 0.; ///< A: the shear line at p_a [Pa]
+  Number factor = 0.;   ///< c [-]
 };
 } // namespace tamp::fem
 

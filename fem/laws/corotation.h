@@ -47,10 +47,11 @@ public:
 private:
   bool is_possible_ = false;
   double volume_ratio_ = 0;
-  dealii::Tensor<2, 3> relative_F_, rotation_, inverse_stretch_;
+  dealii::Tensor<2, 3> rotation_;
   dealii::SymmetricTensor<2, 3> log_stretch_;
-  std::array<double, 3> square_; ///< eigenvalues of U^2
-  dealii::Tensor<2, 3> axes_;    ///< row i: the eigenvector to square_[i]
+  std::array<double, 3> logarithm_{}; ///< eigenvalues of ln U
+  dealii::Tensor<2, 3> axes_;         ///< row i: the eigenvector n_i
+  dealii::Tensor<2, 3> spatial_axes_; ///< column i: R n_i
 };
 } // namespace tamp::fem
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -11,6 +12,8 @@ namespace tamp::fem
 {
 namespace
 {
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
 [[noreturn]] void
 refuse(const std::string &name, const std::size_t row, const std::string &why)
 {
@@ -61,20 +64,40 @@ DensityTable::DensityTable(TableRows rows,
 DensityTable::Reading DensityTable::read(const double x) const
 {
   constexpr double edge = 1e-9; // rounding of exp(log(density))
+  const Line line = this->line(x);
+  return {line.at(x),
+          line.slope,
+          x < first_place() - edge || x > last_place() + edge};
+}
+
+DensityTable::Line DensityTable::line(const double x) const
+{
   const auto &[place, value] = rows_;
   if (place.size() == 1)
-    return {value.front(), 0, false};
+    return {-infinity, infinity, 0, value.front(), 0};
   if (x < place.front())
-    return {value.front(), 0, x < place.front() - edge};
+    return {-infinity, place.front(), place.front(), value.front(), 0};
   if (x >= place.back() && above_ == Above::hold)
-    return {value.back(), 0, x > place.back() + edge};
+    return {place.back(), infinity, place.back(), value.back(), 0};
 
-  const auto above = std::upper_bound(place.begin(), place.end() - 1, x);
-  const auto i = static_cast<std::size_t>(above - place.begin());
-  const double slope = (value[i] - value[i - 1]) / (place[i] - place[i - 1]);
-  return {value[i - 1] + slope * (x - place[i - 1]),
-          slope,
-          x > place.back() + edge};
+  const auto next = std::upper_bound(place.begin(), place.end() - 1, x);
+  const auto i = static_cast<std::size_t>(next - place.begin());
+  const bool last = i + 1 == place.size() && above_ == Above::extend;
+  return {place[i - 1],
+          last ? infinity : place[i],
+          place[i - 1],
+          value[i - 1],
+          (value[i] - value[i - 1]) / (place[i] - place[i - 1])};
+}
+
+double DensityTable::first_place() const
+{
+  return rows_.x.size() == 1 ? -infinity : rows_.x.front();
+}
+
+double DensityTable::last_place() const
+{
+  return rows_.x.size() == 1 ? infinity : rows_.x.back();
 }
 
 double DensityTable::smallest() const

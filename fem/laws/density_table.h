@@ -32,6 +32,15 @@ public:
     bool outside = false; ///< beyond the rows: the value is a guess
   };
 
+  /// The straight line that holds for low <= x < high.
+  struct Line {
+    double low = 1, high = 0;
+    double place = 0, value = 0, slope = 0;
+
+    bool holds(double x) const { return x >= low && x < high; }
+    double at(double x) const { return value + slope * (x - place); }
+  };
+
   /// A constant. It is never outside.
   DensityTable(double constant);
 
@@ -48,6 +57,15 @@ public:
   /// The value at x. A place within 1e-9 beyond a row counts as inside.
   Reading read(double x) const;
 
+  /// The line that holds at x: its value and slope are those of read(). Whoever
+  /// reads often keeps it as long as it holds.
+  Line line(double x) const;
+
+  /// As given; a constant has one row at 0.
+  const TableRows &rows() const { return rows_; }
+  /// The first and last place; minus and plus infinity for a constant.
+  double first_place() const;
+  double last_place() const;
   double smallest() const; ///< over the rows [unit of y]
   double largest() const;  ///< over the rows [unit of y]
   /// No value is below that of the row before.

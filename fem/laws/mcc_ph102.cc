@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fem/laws/mcc_ph102.h>
 
+#include <cmath>
 #include <numbers>
 #include <string>
 #include <utility>
@@ -81,18 +82,12 @@ DensityTable hardening()
       0.609, 4.03, 10.7, 20.5, 35.78, 64.7, 127.9, 170, 257, 368, 823};
   for (double &entry : pressure)
     entry *= MPa;
-  return DensityTable({{0.000000,
-                        0.287682,
-                        0.510826,
-                        0.693147,
-                        0.847298,
-                        0.980829,
-                        1.098612,
-                        1.131402,
-                        1.160000,
-                        1.193922,
-                        1.202972},
-                       pressure},
+  // The last three stand in the source as strains.
+  std::vector<double> strain{0.30, 0.40, 0.50, 0.60, 0.70, 0.80, 0.90, 0.93};
+  for (double &entry : strain)
+    entry = std::log(entry / reference_density);
+  strain.insert(strain.end(), {1.160000, 1.193922, 1.202972});
+  return DensityTable({strain, pressure},
                       "hydrostatic yield pressure",
                       DensityTable::Shape::increasing,
                       DensityTable::Above::extend);

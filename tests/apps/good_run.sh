@@ -50,6 +50,14 @@ cmp first.txt second.txt || fail "the echo gives another run"
 has probe/{run.json,curve.csv,summary.txt}
 rectangular probe/curve.csv
 
+# What is easily overlooked in the tables of the powder is said once each.
+for folder in results/law probe; do
+  for file in run.json summary.txt; do
+    [ "$(grep -o 'the hardening table at 0.3:' "$folder/$file" | wc -l)" -eq 1 ] \
+      || fail "$folder/$file does not say once where the powder starts"
+  done
+done
+
 # All parameters with their defaults can be read back, in both formats.
 "$tamp" params > all.prm
 "$tamp" params --check all.prm

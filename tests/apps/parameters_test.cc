@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <apps/nearest_name.h>
 #include <apps/parameter_table.h>
+#include <apps/powder.h>
 #include <apps/run_input.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -163,6 +165,42 @@ TEST_F(Parameters, DefaultsOfLawsAreThoseOfTheLaws)
   EXPECT_EQ(material.fkm_gurson.vertex_rounding, metal.vertex_rounding);
   EXPECT_EQ(material.fkm_gurson.integration_tolerance,
             metal.integration_tolerance);
+}
+
+TEST_F(Parameters, APowderFillsWhatIsNotGiven)
+{
+  const std::string section = "Material/Drucker-Prager cap/";
+  table.set(section + "Powder = agcusnin");
+  table.set(section + "Transition = 0.05");
+  take_powder(table);
+  const auto pressure = table.numbers(section + "Hydrostatic yield pressure");
+  ASSERT_EQ(pressure.size(), 9u);
+  EXPECT_DOUBLE_EQ(pressure[0], 0.433e6);
+  EXPECT_DOUBLE_EQ(pressure[8], 216e6);
+  const auto density = table.numbers(section + "Hardening densities");
+  EXPECT_DOUBLE_EQ(density[8], 0.42 * std::exp(0.795));
+  EXPECT_DOUBLE_EQ(table.numbers(section + "Cohesion")[0], 24180.7);
+  EXPECT_DOUBLE_EQ(table.number(section + "Initial relative density"), 0.42);
+  EXPECT_DOUBLE_EQ(table.number(section + "Transition"), 0.05); // given
+  table.set("Material/Type = drucker-prager cap");
+  const RunInput input = read_input(table, Need::probe);
+  EXPECT_EQ(input.material.cap.hydrostatic_yield, pressure);
+}
+
+TEST_F(Parameters, TheEchoOfAPowderIsItsTables)
+{
+  const std::string section = "Material/Drucker-Prager cap/";
+  table.set(section + "Powder = agcusnin");
+  take_powder(table);
+  std::ostringstream echo;
+  table.echo(echo);
+  ParameterTable again;
+  declare_parameters(again);
+  again.read(file("echo.prm", echo.str()));
+  take_powder(again);
+  for (const char *name : {"Cohesion", "Hardening densities"})
+    EXPECT_EQ(again.numbers(section + name), table.numbers(section + name))
+        << name;
 }
 
 TEST(NearestName, CountsSwapsAsOneMistake)

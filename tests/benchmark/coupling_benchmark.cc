@@ -99,6 +99,7 @@ int main(int argc, char **argv)
       ->Unit(benchmark::kMillisecond);
   add_value(
       "coupling.thread_efficiency.2", efficiency, efficiency_of_two_threads);
+  add_laws();
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
 }

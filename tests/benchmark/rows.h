@@ -38,6 +38,9 @@ void add_pair_lists(Packings &packings);
 void add_maps(Packings &packings);
 void add_tangents(Packings &packings);
 void add_bytes(Packings &packings);
+
+/// The rows of coupling_benchmark about continuum laws.
+void add_laws();
 } // namespace tamp::speed
 
 #endif

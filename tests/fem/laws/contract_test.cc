@@ -26,6 +26,14 @@ std::vector<dealii::Tensor<2, 3>> press(const unsigned steps)
       steps, gradient({-1e-3, 0, 1e-3, 5e-4, 1e-3, 0, 0, 1e-3, -1e-2}));
 }
 
+/// Pressed, then unloaded along z to the shear line or close to it.
+std::vector<dealii::Tensor<2, 3>> press_and_unload(const unsigned steps)
+{
+  auto path = press(30);
+  path.insert(path.end(), steps, gradient({0, 0, 0, 0, 0, 0, 0, 0, 1e-3}));
+  return path;
+}
+
 std::unique_ptr<MaterialPoints> cap_points(const double transition)
 {
   DruckerPragerCapParameters parameters;
@@ -79,6 +87,10 @@ struct OnShear {
 };
 template <>
 struct ContractTraits<OnShear> : ContractTraits<OnCap> {
+  static std::vector<dealii::Tensor<2, 3>> path()
+  {
+    return press_and_unload(40);
+  }
   static dealii::Tensor<2, 3> next()
   {
     return gradient({3e-3, 4e-3, 0, -3e-3, 1e-3, 5e-3, 0, -4e-3, 5e-3});
@@ -89,10 +101,17 @@ struct OnTransition {
 };
 template <>
 struct ContractTraits<OnTransition> : ContractTraits<OnCap> {
-  static std::unique_ptr<MaterialPoints> make() { return cap_points(0.03); }
+  static std::unique_ptr<MaterialPoints> make() { return cap_points(0.02); }
+  static std::vector<dealii::Tensor<2, 3>> path()
+  {
+    auto path = press_and_unload(20);
+    const auto shear = gradient({-5e-4, 0, 0, 0, -5e-4, 0, 0, 0, 1e-3});
+    path.insert(path.end(), 45, shear);
+    return path;
+  }
   static dealii::Tensor<2, 3> next()
   {
-    return gradient({6e-3, 9e-3, 0, 9e-3, -6e-3, 0, 0, 0, 0});
+    return gradient({-5e-4, 3e-4, 0, 2e-4, -4e-4, 0, 0, -1e-3, 1e-3});
   }
 };
 

@@ -48,6 +48,22 @@ TEST(DensityTable, ConstantHoldsEverywhere)
   EXPECT_FALSE(constant.read(7).outside);
 }
 
+TEST(DensityTable, LineSaysWhatReadingSays)
+{
+  const DensityTable held(rows, "test");
+  const DensityTable extended(rows,
+                              "test",
+                              DensityTable::Shape::increasing,
+                              DensityTable::Above::extend);
+  for (const auto *table : {&held, &extended})
+    for (double x = 0.2; x < 1.1; x += 0.01) {
+      const auto line = table->line(x);
+      EXPECT_TRUE(line.holds(x)) << x;
+      EXPECT_EQ(line.at(x), table->read(x).value) << x;
+      EXPECT_EQ(line.slope, table->read(x).slope) << x;
+    }
+}
+
 TEST(DensityTable, RefusesRowsThatMakeNoTable)
 {
   const auto build = [](const TableRows &rows) {
@@ -69,9 +85,9 @@ TEST(MccPh102, RowsAreThoseOfTheSource)
   EXPECT_NEAR(
       mcc_ph102::friction_angle().read(0.7).value, 68.07 * M_PI / 180, 1e-14);
   EXPECT_DOUBLE_EQ(mcc_ph102::eccentricity().read(0.99).value, 1.608);
-  // p_b at 0.8 belongs to ln(0.8 / 0.3); the abscissa has six decimals.
+  // p_b at 0.8 belongs to ln(0.8 / 0.3).
   EXPECT_NEAR(
-      mcc_ph102::hardening().read(std::log(0.8 / 0.3)).value, 64.7e6, 1e3);
+      mcc_ph102::hardening().read(std::log(0.8 / 0.3)).value, 64.7e6, 1e-3);
 }
 } // namespace
 } // namespace tamp::fem

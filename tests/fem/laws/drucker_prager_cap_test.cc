@@ -74,6 +74,19 @@ TEST(CapSurface, PointOfDieCalibrationIsOnTheCap)
   EXPECT_NEAR(flow.shear / flow.compaction, 2. / 3, 1e-5);
 }
 
+TEST(CapSurface, DieCalibrationFindsTheCentre)
+{
+  // R_c^2 = 2 c^2 (p - p_a) / (3 q) in the equation of the cap, solved for p_a.
+  const CapSurface<double> s(check_constants());
+  const double p = 64.0265, q = 42.5309, d = s.cohesion, t = s.tan_beta;
+  const double c2 = s.factor * s.factor;
+  const double root = std::sqrt(9 * q * q + 24 * c2 * d * q * t +
+                                8 * c2 * t * t * (3 * p * q + 2 * q * q));
+  const double p_a = (-(3 * q + 4 * c2 * d * t) + root) / (4 * c2 * t * t);
+  EXPECT_NEAR(p_a, 40, 1e-4); // p and q have four digits after the point
+  EXPECT_NEAR(std::sqrt(2 * c2 * (p - p_a) / (3 * q)), s.eccentricity, 1e-5);
+}
+
 TEST(CapSurface, BranchesJoin)
 {
   const CapSurface<double> s(check_constants());
@@ -125,6 +138,51 @@ TEST(DruckerPragerCap, IsotropicPathFollowsTheTable)
   EXPECT_GT(plastic, 90u);
 }
 
+TEST(DruckerPragerCap, IsotropicPressingReturnsEveryRowOfTheTable)
+{
+  // As published: p_b [MPa] at densities, the last three at strains.
+  std::vector<std::array<double, 2>> rows{{0.30, 0.609},
+                                          {0.40, 4.03},
+                                          {0.50, 10.7},
+                                          {0.60, 20.5},
+                                          {0.70, 35.78},
+                                          {0.80, 64.7},
+                                          {0.90, 127.9},
+                                          {0.93, 170},
+                                          {0.3 * std::exp(1.16), 257},
+                                          {0.3 * std::exp(1.193922), 368},
+                                          {0.3 * std::exp(1.202972), 823}};
+  DruckerPragerCapParameters parameters;
+  parameters.initial_relative_density = 0.3;
+  const DruckerPragerCap law(parameters);
+  const auto pressed = [&](const DruckerPragerCap::State &old, double strain) {
+    auto now = old;
+    Deformation increment;
+    for (unsigned i = 0; i < 3; ++i)
+      increment.relative_F[i][i] = std::exp(-strain);
+    EXPECT_NE(law.respond(old, now, increment, Want::stress).status,
+              Status::failed);
+    return now;
+  };
+  const auto density = [](const DruckerPragerCap::State &state) {
+    return 0.3 * std::exp(state.plastic_compaction); // what unloading leaves
+  };
+  auto state = law.initial_state();
+  for (const auto &[wanted, p_b] : rows) {
+    double least = 0, most = 2e-3;
+    for (; density(pressed(state, most)) <= wanted;
+         state = pressed(state, most))
+      ;
+    for (unsigned i = 0; i < 60; ++i) {
+      const double middle = 0.5 * (least + most);
+      (density(pressed(state, middle)) > wanted ? most : least) = middle;
+    }
+    EXPECT_NEAR(pressure(pressed(state, least).stress) / 1e6, p_b, 1e-6 * p_b)
+        << wanted;
+    EXPECT_LT(deviatoric_stress(state.stress), 1e-9 * p_b * 1e6);
+  }
+}
+
 TEST(DruckerPragerCap, StartDensityAgreesWithTheTable)
 {
   // From whatever density: the first yield is at the p_b of that density.
@@ -168,40 +226,6 @@ TEST(DruckerPragerCap, UniaxialPathStaysOnItsSurface)
   // Radial over axial stress of microcrystalline cellulose: 0.25 to 0.45.
   EXPECT_GT(ratio, 0.2);
   EXPECT_LT(ratio, 0.6);
-}
-
-TEST(DruckerPragerCap, FlowInTheStepIsThatOfTheSurface)
-{
-  // Plastic strain = strain - elastic strain with the moduli of the start of
-  // the step; small steps so that one part makes the step.
-  auto points = one_point();
-  const auto &parameters = points.law().parameters();
-  auto old = points.state(0);
-  drive(points,
-        {strain_stage({0, 0, -0.4}, 1e-3)},
-        [&](const DruckerPragerCap::State &state, const PathRecord &record) {
-          if (state.surface == Surface::cap && record.step > 1) {
-            const auto moduli =
-                parameters.elasticity.at(parameters.reference_density *
-                                         std::exp(old.plastic_compaction));
-            const double compaction =
-                1e-3 -
-                (pressure(state.stress) - pressure(old.stress)) / moduli.bulk;
-            const double shear = 2e-3 / 3 - (deviatoric_stress(state.stress) -
-                                             deviatoric_stress(old.stress)) /
-                                                (3 * moduli.shear);
-            const auto flow = points.law()
-                                  .surface(state.plastic_compaction)
-                                  .flow(pressure(state.stress),
-                                        deviatoric_stress(state.stress));
-            EXPECT_NEAR(compaction,
-                        state.plastic_compaction - old.plastic_compaction,
-                        1e-12);
-            EXPECT_NEAR(shear, state.plastic_shear - old.plastic_shear, 1e-12);
-            EXPECT_NEAR(shear / compaction, flow.shear / flow.compaction, 1e-6);
-          }
-          old = state;
-        });
 }
 
 TEST(DruckerPragerCap, StiffPowderMeetsTheDieCalibration)
@@ -263,42 +287,6 @@ TEST(DruckerPragerCap, EverySurfaceIsReached)
                                Surface::transition,
                                Surface::cap,
                                Surface::apex}));
-}
-
-/// Relative errors of the stress at the end of a path that loads by 70 % and,
-/// if asked, then extends sideways by 2 %, at increments 4e-3, 2e-3 and 1e-3.
-std::array<double, 3> errors(const bool extend)
-{
-  const auto end = [extend](const double increment) {
-    DruckerPragerCapParameters parameters;
-    parameters.maximum_strain_increment = increment;
-    auto points = one_point(parameters);
-    drive(points, {strain_stage({0, 0, -0.7}, increment)}, nothing);
-    if (extend)
-      drive(points, {strain_stage({0.02, 0, 0.02}, increment)}, nothing);
-    return points.state(0).stress;
-  };
-  const auto exact = end(2e-5);
-  std::array<double, 3> result;
-  for (unsigned i = 0; i < 3; ++i)
-    result[i] = (end(4e-3 / (1 << i)) - exact).norm() / exact.norm();
-  return result;
-}
-
-TEST(DruckerPragerCap, IntegrationOnTheCapConvergesAtFirstOrder)
-{
-  const auto error = errors(false);
-  EXPECT_LT(error[2], 1e-3);
-  EXPECT_GT(error[0] / error[1], 1.8);
-  EXPECT_GT(error[1] / error[2], 1.8);
-}
-
-TEST(DruckerPragerCap, IntegrationInShearConvergesAtFirstOrder)
-{
-  const auto error = errors(true);
-  EXPECT_LT(error[2], 2e-2); // 2 % of strain in 20 parts
-  EXPECT_GT(error[0] / error[1], 1.7);
-  EXPECT_GT(error[1] / error[2], 1.8);
 }
 
 TEST(DruckerPragerCap, UnloadingIsElasticAndReversible)
