@@ -42,22 +42,6 @@ Densities densities(const Compact &compact)
           compact.ranks().largest(largest)};
 }
 
-/// Smallest height of an element along the die wall [m].
-double element_height(const Mesh &mesh, const NodePositions &positions)
-{
-  const auto &faces = mesh.tools[die_wall].faces;
-  double smallest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < faces.size(); i += mesh.nodes_per_face()) {
-    double low = std::numeric_limits<double>::infinity(), high = -low;
-    for (unsigned a = 0; a < mesh.nodes_per_face(); ++a) {
-      low = std::min(low, positions[faces[i + a]][2]);
-      high = std::max(high, positions[faces[i + a]][2]);
-    }
-    smallest = std::min(smallest, high - low);
-  }
-  return smallest;
-}
-
 struct Extent {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   double radius = 0;
@@ -150,7 +134,8 @@ struct DieModel::Implementation {
     state.height = state.fill_height + press.tools()[upper_punch] -
                    press.tools()[lower_punch];
     state.die_displacement = press.tools()[die_wall];
-    state.element_height = element_height(mesh, positions);
+    state.element_height = press.contact().element_height();
+    state.fading_height = press.contact().fading_height();
     state.upper_displacement = -press.tools()[upper_punch];
     state.lower_displacement = press.tools()[lower_punch];
     state.force = on_tools(forces);

@@ -159,7 +159,16 @@ void Equilibrium::search_newton(Attempt &attempt)
       y[i] = -change[i];
     return !change.empty();
   };
+  double best = std::numeric_limits<double>::infinity();
   problem.limit = [&](const Increment &x, Increment &step) {
+    // A kink of law or contact can make full steps go round in circles.
+    constexpr unsigned full_steps = 6;
+    const bool circles =
+        attempt.iterations > full_steps && attempt.force_residual > 0.5 * best;
+    best = std::min(best, attempt.force_residual);
+    if (circles)
+      for (double &value : step)
+        value *= 0.5;
     Increment to = x;
     for (std::size_t i = 0; i < to.size(); ++i)
       to[i] += step[i];

@@ -30,7 +30,7 @@ struct FrictionCoefficient {
 };
 
 /// How a node meets a tool.
-enum class ContactStatus { open, stick, slip };
+enum class ContactStatus { open, stick, slip, fading };
 
 /// Friction of a node on a tool.
 struct FrictionForce {

@@ -26,7 +26,9 @@ struct PressState {
   ForceOnTools force{};          ///< [N]
   double peak_force = 0;         ///< largest Schedule::pressing_force [N]
   double mean_density = 0;       ///< relative [-]
-  double element_height = 0; ///< smallest height of an element at the wall [m]
+  double element_height = 0; ///< mean height of the elements at the wall [m]
+  /// How far above the rim the compact must stand to be free of the die [m].
+  double fading_height = 0;
 };
 } // namespace tamp::fem
 

@@ -132,7 +132,7 @@ double Schedule::remaining(const PressState &state) const
   if (stage.target == StageTarget::rim)
     return state.rim - state.top;
   if (stage.target == StageTarget::out)
-    return state.rim - state.bottom;
+    return state.rim + state.fading_height - state.bottom;
   if (stage.kind == StageKind::eject)
     return stage.value -
            (stage.ejection == Ejection::push

@@ -23,7 +23,8 @@ struct Proposal {
 
 /// The stages of a run, one after the other, as proposals of tool motions. A
 /// stage has one phase, ejection two: the load on the upper punch is changed
-/// first, then the compact leaves the die. Targets are met exactly: the last
+/// first, then the compact leaves the die; nodes that passed its rim in the
+/// last step are let go in one more at rest. Targets are met exactly: the last
 /// motion towards a density or a displacement is what remains, the last one
 /// towards a force loads the punch with it. A punch that is to bear nothing is
 /// never loaded: it goes back step by step, the last time a little further than

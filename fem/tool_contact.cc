@@ -21,14 +21,46 @@ constexpr double normal_stiffness = 1e3;
 constexpr double stick_stiffness = 10;
 /// A node nearer to a tool than this share of the mesh touches it.
 constexpr double touching = 1e-10;
+/// In an increment the wall goes on above the rim, and what is nearer to the
+/// rim than this share of the mesh sees the wall below it.
+constexpr double rim_margin = 1e-2;
+/// A node this many times further above the rim than what counts as touching
+/// is let go.
+constexpr double passing = 1e3;
 /// Nodes of soft powder count as this share of the stiffest.
 constexpr double smallest_stiffness = 1e-3;
+
+/// Does it end at the rim?
+bool is_bore(Tool tool)
+{
+  return tool == die_wall || tool == core_rod;
+}
 
 Matrix identity()
 {
   Matrix unit;
   unit[0][0] = unit[1][1] = unit[2][2] = 1;
   return unit;
+}
+
+/// Mean height of the elements along the die wall; a shoulder has none [m].
+double mean_height(const Mesh &mesh, const NodePositions &positions)
+{
+  constexpr double level = 1e-6;
+  const auto &faces = mesh.tools[die_wall].faces;
+  double sum = 0, count = 0;
+  for (std::size_t i = 0; i < faces.size(); i += mesh.nodes_per_face()) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (unsigned a = 0; a < mesh.nodes_per_face(); ++a) {
+      low = std::min(low, positions[faces[i + a]][2]);
+      high = std::max(high, positions[faces[i + a]][2]);
+    }
+    if (high - low > level * (std::abs(high) + std::abs(low))) {
+      sum += high - low;
+      count += 1;
+    }
+  }
+  return count > 0 ? sum / count : 0;
 }
 
 /// Area of a face, of the whole ring if axisymmetric [m2].
@@ -47,6 +79,13 @@ double face_area(const Mesh &mesh,
 } // namespace
 
 /// How a node approaches a tool.
+Vector ToolContact::below_rim(Vector place, Tool tool) const
+{
+  if (is_bore(tool))
+    place[2] = std::min(place[2], rim_ - margin_);
+  return place;
+}
+
 struct ToolContact::Approach {
   SurfacePoint surface;
   bool touches = false;
@@ -70,13 +109,21 @@ ToolContact::ToolContact(const Mesh &mesh, const Tools &tools)
   multipliers_.assign(pairs_.size(), 0.);
   stiffness_.assign(pairs_.size(), 0.);
   densities_.assign(pairs_.size(), 0.);
+  double size = 0;
   for (const Vector &node : mesh.nodes)
-    touch_ = std::max(touch_, touching * node.norm());
+    size = std::max(size, node.norm());
+  touch_ = touching * size;
+  margin_ = rim_margin * size;
+  for (const unsigned node : mesh.tools[die_wall].nodes)
+    rim_ = std::max(rim_, mesh.nodes[node][2]);
+  released_.assign(pairs_.size(), false);
+  at_release_.resize(pairs_.size());
   update_areas(mesh.nodes);
 }
 
 void ToolContact::update_areas(const NodePositions &positions)
 {
+  element_height_ = mean_height(mesh_, positions);
   areas_.clear();
   for (unsigned tool = 0; tool < number_of_tools; ++tool) {
     if (!tools_.surfaces[tool])
@@ -109,6 +156,12 @@ void ToolContact::begin(std::span<const double> node_stiffness,
         std::max(node_stiffness[pairs_[i].node], smallest_stiffness * largest);
     densities_[i] = densities[pairs_[i].node];
     multipliers_[i] = accepted_[i].normal;
+    const double height = positions[pairs_[i].node][2] - tools[pairs_[i].tool];
+    if (is_bore(pairs_[i].tool) && !released_[i] &&
+        height > rim_ + passing * touch_) {
+      released_[i] = true;
+      at_release_[i] = accepted_[i];
+    }
   }
 }
 
@@ -120,10 +173,11 @@ ToolContact::Approach ToolContact::approach(std::size_t pair,
   Vector place = positions[node];
   place[2] -= tools[tool];
   Approach result;
-  result.surface = tools_.surfaces[tool]->nearest(place);
+  result.surface = tools_.surfaces[tool]->nearest(below_rim(place, tool));
   result.normal = multipliers_[pair] -
                   normal_stiffness * stiffness_[pair] * result.surface.distance;
   result.touches =
+      !released_[pair] &&
       result.normal >= -normal_stiffness * stiffness_[pair] * touch_;
   result.normal = std::max(result.normal, 0.);
   if (!result.touches)
@@ -142,11 +196,31 @@ ToolContact::Approach ToolContact::approach(std::size_t pair,
   return result;
 }
 
+PairForce ToolContact::fading(std::size_t pair,
+                              const NodePositions &positions,
+                              const ToolPositions &tools) const
+{
+  const auto [node, tool] = pairs_[pair];
+  const double above = positions[node][2] - tools[tool] - rim_;
+  const double share = std::min(1., 1 - above / fading_height());
+  if (share <= 0)
+    return {};
+  PairForce result = at_release_[pair];
+  result.status = ContactStatus::fading;
+  result.penetration = 0;
+  result.normal *= share;
+  result.friction *= share;
+  result.force *= share;
+  return result;
+}
+
 PairForce ToolContact::force(std::size_t pair,
                              const NodePositions &positions,
                              const ToolPositions &tools) const
 {
   const Approach now = approach(pair, positions, tools);
+  if (released_[pair])
+    return fading(pair, positions, tools);
   if (!now.touches)
     return {};
   const FrictionForce friction = coulomb_friction(now.trial, now.limit);
@@ -178,6 +252,12 @@ Matrix ToolContact::stiffness(std::size_t pair,
 {
   if (force.status == ContactStatus::open)
     return {};
+  if (released_[pair]) {
+    Matrix result;
+    for (unsigned i = 0; i < 3; ++i)
+      result[i][2] = at_release_[pair].force[i] / fading_height();
+    return result;
+  }
   const Approach now = approach(pair, positions, tools);
   const Vector &n = now.surface.normal;
   const Matrix H(now.surface.normal_gradient);
@@ -216,7 +296,8 @@ void ToolContact::take_reactions(std::span<const double> internal,
   for (unsigned sweep = 0; sweep < sweeps; ++sweep)
     for (const auto &[node, pairs] : pairs_of_node_)
       for (const std::size_t i : pairs) {
-        if (now[i].status == ContactStatus::open)
+        if (now[i].status == ContactStatus::open ||
+            now[i].status == ContactStatus::fading)
           continue;
         Vector rest;
         for (unsigned c = 0; c < mesh_.components(); ++c)

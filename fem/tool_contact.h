@@ -9,6 +9,7 @@
 #include <deal.II/base/tensor.h>
 
 #include <array>
+#include <limits>
 #include <map>
 #include <span>
 #include <vector>
@@ -54,9 +55,11 @@ struct PairForce {
 /// distance d to the tool, the stiffness epsilon taken from that of the powder,
 /// and the multiplier lambda, which takes over what N was: at the next step, or
 /// within a step with augment(). Friction by return mapping. A node that leaves
-/// a tool is free.
-/// Source: J. C. Simo and T. A. Laursen (1992), An augmented Lagrangian
-/// treatment of contact problems involving friction.
+/// a tool is free. Die and core end at the rim, the height of the uppermost
+/// wall node at the start. A node that begins an increment above it is let go
+/// for good: its force fades over the next half element, as the faces next to
+/// it leave the wall. Source: J. C. Simo and T. A. Laursen (1992), An augmented
+/// Lagrangian treatment of contact problems involving friction.
 class ToolContact
 {
 public:
@@ -107,14 +110,23 @@ public:
   /// Area of the powder's surface that belongs to a pair, accepted [m2].
   double area(std::size_t pair) const { return areas_[pair]; }
 
+  /// Mean height of the elements along the die wall, accepted [m].
+  double element_height() const { return element_height_; }
+  /// Height above the rim at which a node is free of the bore [m].
+  double fading_height() const { return 0.5 * element_height_; }
+
   /// Sums over the nodes of each tool.
   ToolForces sums(std::span<const PairForce> forces) const;
 
 private:
   struct Approach;
+  dealii::Tensor<1, 3> below_rim(dealii::Tensor<1, 3> place, Tool tool) const;
   Approach approach(std::size_t pair,
                     const NodePositions &positions,
                     const ToolPositions &tools) const;
+  PairForce fading(std::size_t pair,
+                   const NodePositions &positions,
+                   const ToolPositions &tools) const;
   PairForce force(std::size_t pair,
                   const NodePositions &positions,
                   const ToolPositions &tools) const;
@@ -124,6 +136,11 @@ private:
   Tools tools_;
   std::vector<ContactPair> pairs_;
   std::vector<PairForce> accepted_;
+  std::vector<char> released_;        ///< has passed the rim, per pair
+  std::vector<PairForce> at_release_; ///< forces there
+  double element_height_ = 0;         ///< [m]
+  double rim_ = -std::numeric_limits<double>::infinity(); ///< z at start [m]
+  double margin_ = 0;                                     ///< [m]
   double touch_ = 0; ///< a node this near touches a tool [m]
   std::vector<double> multipliers_, stiffness_, areas_, densities_;
   NodePositions begin_positions_;
