@@ -42,11 +42,10 @@ void declare_schedule(ParameterTable &table)
 
 void declare_tolerances(ParameterTable &table)
 {
-  table.quantity("Force tolerance",
-                 "1e-3",
-                 dimension::number,
-                 a_strain,
-                 "Unbalanced force over reaction force at equilibrium");
+  table.text("Force tolerance",
+             "automatic",
+             "Unbalanced force over reaction force at equilibrium; automatic: "
+             "1e-3 for unit cells, 1e-8 for continuum laws");
   table.quantity("Displacement tolerance",
                  "1e-2",
                  dimension::number,
@@ -148,13 +147,27 @@ fem::LinearMethod chosen_method(const std::string &word)
                           : fem::LinearMethod::iterative;
 }
 
+double force_tolerance(const ParameterTable &table, bool cells)
+{
+  const std::string path = "Solver/Force tolerance";
+  if (table.word(path) == "automatic")
+    return cells ? 1e-3 : 1e-8;
+  try {
+    const double value = parse_quantity(table.word(path), dimension::number);
+    if (a_strain.contains(value))
+      return value;
+  } catch (const InputError &) {
+  }
+  table.complain(path, "expected automatic or a number above 0 and up to 0.1");
+}
+
 void read_solver(const ParameterTable &table, bool cells, fem::DieSettings &die)
 {
   fem::SolverSettings &solver = die.solver;
   solver.method = automatic(table, "Solver/Nonlinear method", "anderson", cells)
                       ? fem::NonlinearMethod::anderson
                       : fem::NonlinearMethod::newton;
-  solver.force_tolerance = table.number("Solver/Force tolerance");
+  solver.force_tolerance = force_tolerance(table, cells);
   solver.f_bar = table.word("Solver/Element") == "f-bar";
   solver.linear.method = chosen_method(table.word("Solver/Linear solver"));
   solver.linear.algebra = table.word("Solver/Linear algebra") == "trilinos"

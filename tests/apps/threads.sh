@@ -25,7 +25,7 @@ cmp threads_1/grains/point_0000.csv threads_2/grains/point_0000.csv ||
   fail "threads change the path of a point"
 
 # The first line is the compact as it was filled in, before any equilibrium.
-tolerance=$(awk '/set Force tolerance/ { print $4 }' threads_1/input.prm)
+tolerance=1e-3 # the default for unit cells
 awk -F, -v tolerance="$tolerance" '
   function size(x) { return x < 0 ? -x : x }
   function larger(a, b) { return a > b ? a : b }
