@@ -8,8 +8,8 @@ namespace tamp::apps
 {
 namespace
 {
-constexpr std::array<std::string_view, 2> entries{
-    "Die/Punch friction coefficient", "Output/Checkpoint interval"};
+constexpr std::array<std::string_view, 1> entries{
+    "Output/Checkpoint interval"};
 constexpr std::array<std::string_view, 6> commands{
     "calibrate", "check", "compare", "fit", "inspect", "selftest"};
 } // namespace

@@ -98,6 +98,8 @@ public:
     outcome.converged = reason > 0;
     if (reason == SNES_DIVERGED_LINEAR_SOLVE)
       outcome.reason = "the linear equations have no solution";
+    else if (reason == SNES_DIVERGED_MAX_IT)
+      outcome.reason = "no equilibrium";
     else if (reason < 0)
       outcome.reason = SNESConvergedReasons[reason];
     x_ = copy_of(solution_);

@@ -19,7 +19,7 @@ inline constexpr double rounding = 1e-12;
 /// the compact. The powder hardens linearly with its shortening and springs
 /// back as (shortening)^power; a punch may leave it.
 struct Press {
-  static constexpr unsigned elements = 20; ///< along the height
+  static constexpr unsigned elements = 40; ///< along the height
   static constexpr double height = 7e-3, hardening = 1e6, elasticity = 2e7;
   double power = 1;
   double faces = 0; ///< volume between curved faces / area of the punch [m]
