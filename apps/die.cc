@@ -4,6 +4,7 @@
 #include <apps/die_output.h>
 #include <apps/die_results.h>
 #include <apps/interrupt.h>
+#include <apps/mpi_run.h>
 #include <apps/plots.h>
 #include <apps/recorded_points.h>
 #include <apps/run_material.h>
@@ -11,14 +12,13 @@
 #include <apps/units.h>
 #include <fem/die_model.h>
 
-#include <deal.II/base/mpi.h>
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/tensor.h>
 
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <fmt/format.h>
+#include <memory>
 #include <optional>
 
 namespace tamp::apps
@@ -49,19 +49,23 @@ std::vector<double> expected_steps(const fem::DieSettings &die)
 class DieRun
 {
 public:
-  explicit DieRun(RunSession &session)
-      : session_(session), settings_(session.input().die),
+  DieRun(RunSession &session, const fem::Ranks &ranks)
+      : session_(session), ranks_(ranks), settings_(session.input().die),
         mesh_(session.input().mesh.mesh),
-        material_(prepare_material(session, mesh_.number_of_points())),
+        material_(prepare_material(session, number_of_own_points())),
         points_(*material_.points),
-        model_(settings_,
-               mesh_,
-               points_,
-               [this](unsigned stage, double peak) { begin(stage, peak); }),
+        model_(
+            settings_,
+            mesh_,
+            points_,
+            [this](unsigned stage, double peak) { begin(stage, peak); },
+            ranks),
         output_(session, model_, points_, material_.cells),
-        curve_(session.folder().path() / "curve.csv", die_header(), remarks()),
         steps_(expected_steps(settings_))
   {
+    if (session.place().first())
+      curve_ = std::make_unique<CurveWriter>(
+          session.folder().path() / "curve.csv", die_header(), remarks());
   }
 
   RunEnd work()
@@ -79,12 +83,20 @@ public:
   }
 
 private:
+  std::size_t number_of_own_points() const
+  {
+    return ranks_.share(mesh_.number_of_cells()).size() *
+           mesh_.points_per_cell();
+  }
+
   RunEnd press()
   {
     RunLog &log = session_.log();
-    log.begin(fmt::format("pressing {} points, {} stages",
-                          mesh_.number_of_points(),
-                          settings_.stages.size()));
+    log.begin(fmt::format(
+        "pressing {} points, {} stages{}",
+        mesh_.number_of_points(),
+        settings_.stages.size(),
+        ranks_.size() > 1 ? fmt::format(", on {} ranks", ranks_.size()) : ""));
     take_step();
     output_.write(0, true);
     const RunEnd end = advance();
@@ -96,8 +108,10 @@ private:
   RunEnd advance()
   {
     while (true) {
-      if (caught_signal())
-        return RunSession::interrupted(caught_signal());
+      // The ranks do not catch a signal in the same step.
+      if (const auto signal = static_cast<int>(ranks_.largest(caught_signal()));
+          signal != 0)
+        return RunSession::interrupted(signal);
       switch (model_.advance()) {
       case fem::Advance::finished:
         return {};
@@ -157,7 +171,8 @@ private:
       effort.worst_unbalance = material_.cells->report().worst_unbalance;
       effort.worst_hill_mandel = material_.cells->report().worst_hill_mandel;
     }
-    curve_.write(die_values(record, effort));
+    if (curve_)
+      curve_->write(die_values(record, effort));
     results_.take(record, kind(record.stage), effort);
     output_.write_point_lines();
     if (material_.cells)
@@ -297,13 +312,14 @@ private:
   }
 
   RunSession &session_;
+  const fem::Ranks &ranks_;
   const fem::DieSettings &settings_;
   const fem::Mesh &mesh_;
   coupling::Material material_;
   RecordedPoints points_;
   fem::DieModel model_;
   DieOutput output_;
-  CurveWriter curve_;
+  std::unique_ptr<CurveWriter> curve_; ///< of the first rank
   std::vector<double> steps_;
   unsigned stage_ = 0;
   DieResults results_;
@@ -324,11 +340,11 @@ void warn_of_loose_cells(RunSession &session)
         material.packing.goal.pressure / 1e6));
 }
 
-RunEnd press(RunSession &session)
+RunEnd press(RunSession &session, const fem::Ranks &ranks)
 {
   try {
     warn_of_loose_cells(session);
-    DieRun run(session);
+    DieRun run(session, ranks);
     return run.work();
   } catch (const PackingError &error) {
     return {exit_not_converged, error.what()};
@@ -338,30 +354,9 @@ RunEnd press(RunSession &session)
 
 int run_die(const RunOptions &options)
 {
-  RunSession session("die", options, Need::die);
-  return session.run([&]() -> RunEnd {
-    // PETSc must not see our command line, and no exception may leave while
-    // MPI is up.
-    std::string name = "tamp";
-    char *words[] = {name.data(), nullptr};
-    char **arguments = words;
-    int count = 1;
-    RunEnd end;
-    std::exception_ptr problem;
-    {
-      const dealii::Utilities::MPI::MPI_InitFinalize mpi(count, arguments, 1);
-      watch_signals();
-      try {
-        if (dealii::Utilities::MPI::n_mpi_processes(MPI_COMM_WORLD) > 1)
-          throw InputError("this version runs on one rank; use --threads");
-        end = press(session);
-      } catch (...) {
-        problem = std::current_exception();
-      }
-    }
-    if (problem)
-      std::rethrow_exception(problem);
-    return end;
+  return run_under_mpi([&](const fem::Ranks &ranks) {
+    RunSession session("die", options, Need::die, {ranks.rank(), ranks.size()});
+    return session.run([&] { return press(session, ranks); });
   });
 }
 } // namespace tamp::apps

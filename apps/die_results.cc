@@ -158,25 +158,33 @@ void DieResults::give(RunSession &session) const
 
 std::vector<ValueQuadrilateral> density_map(const fem::DieModel &model)
 {
-  const auto positions = model.point_positions();
-  const auto &responses = model.responses();
+  std::vector<double> own_r, own_z, own_density;
+  for (const auto &position : model.point_positions()) {
+    own_r.push_back(position[0]);
+    own_z.push_back(position[2]);
+  }
+  for (const fem::Response &response : model.responses())
+    own_density.push_back(response.relative_density);
+  const auto r = model.whole(own_r), z = model.whole(own_z);
+  const auto density = model.whole(own_density);
   std::vector<ValueQuadrilateral> map;
-  for (std::size_t point = 0; point + 3 < positions.size(); point += 4) {
+  for (std::size_t point = 0; point + 3 < density.size(); point += 4) {
     // Place of (x, y) in [-1, 1]^2 by the points, which sit at +-1/sqrt(3).
     const auto place = [&](double x, double y) {
       const double a = 0.5 * (1 + std::sqrt(3.) * x);
       const double b = 0.5 * (1 + std::sqrt(3.) * y);
-      const auto p =
-          (1 - b) * ((1 - a) * positions[point] + a * positions[point + 1]) +
-          b * ((1 - a) * positions[point + 2] + a * positions[point + 3]);
-      return std::array<double, 2>{p[0], p[1]};
+      const auto mean = [&](const std::vector<double> &value) {
+        return (1 - b) * ((1 - a) * value[point] + a * value[point + 1]) +
+               b * ((1 - a) * value[point + 2] + a * value[point + 3]);
+      };
+      return std::array<double, 2>{mean(r), mean(z)};
     };
     for (std::size_t quarter = 0; quarter < 4; ++quarter) {
       const double x = quarter % 2 == 0 ? -1 : 0;
       const double y = quarter / 2 == 0 ? -1 : 0;
       map.push_back(
           {{place(x, y), place(x + 1, y), place(x + 1, y + 1), place(x, y + 1)},
-           responses[point + quarter].relative_density});
+           density[point + quarter]});
     }
   }
   return map;

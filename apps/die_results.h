@@ -48,7 +48,7 @@ private:
 
 /// The quarter of its element that each material point stands for, in the
 /// committed state, with the relative density: the four points of an element
-/// fix its bilinear shape.
+/// fix its bilinear shape. Collective.
 std::vector<ValueQuadrilateral> density_map(const fem::DieModel &model);
 } // namespace tamp::apps
 

@@ -166,6 +166,8 @@ RunFolder::RunFolder(const fs::path &folder,
 
 fs::path RunFolder::subfolder(const std::string &name) const
 {
+  if (folder_.empty())
+    return {};
   std::error_code error;
   fs::create_directories(folder_ / name, error);
   if (error)
@@ -177,6 +179,8 @@ fs::path RunFolder::subfolder(const std::string &name) const
 
 void RunFolder::write(const std::string &name, const std::string &text) const
 {
+  if (folder_.empty())
+    return;
   const fs::path temporary = folder_ / (name + ".part");
   {
     std::ofstream out(temporary, std::ios::binary);
@@ -214,7 +218,7 @@ std::string RunRecord::json() const
   tree["input"] = input.filename().string();
   tree["input_hash"] = text_hash(input_echo);
   tree["seeds"] = {seed};
-  tree["ranks"] = 1;
+  tree["ranks"] = ranks;
   tree["threads"] = threads;
   tree["wall_time[s]"] = wall_seconds(*this);
   tree["cpu_time[s]"] = cpu_seconds();
@@ -249,8 +253,11 @@ std::string RunRecord::summary() const
     row(words, with_unit(name, value));
   }
   row("wall time", seconds(wall_seconds(*this)));
-  row("CPU time", seconds(cpu_seconds()));
-  row("threads", fmt::format("{}", threads));
+  row(ranks > 1 ? "CPU time of the first rank" : "CPU time",
+      seconds(cpu_seconds()));
+  row("ranks", fmt::format("{}", ranks));
+  row(ranks > 1 ? "threads of each rank" : "threads",
+      fmt::format("{}", threads));
   row("version", build_facts().version);
   return text;
 }

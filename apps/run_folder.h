@@ -18,6 +18,8 @@ namespace tamp::apps
 class RunFolder
 {
 public:
+  /// No folder at all: whatever is written to it goes nowhere.
+  RunFolder() = default;
   /// Makes the folder. Throws InputError, and changes nothing, if it exists
   /// and `force` is off. With `force`, results of an earlier run in it are
   /// removed, other files stay; throws InputError, and changes nothing, if it
@@ -43,7 +45,8 @@ struct RunRecord {
   std::filesystem::path input;
   std::string input_echo; ///< in SI; its hash is kept
   std::uint64_t seed = 0;
-  unsigned threads = 1;
+  unsigned ranks = 1;
+  unsigned threads = 1; ///< of each rank
   std::chrono::steady_clock::time_point start =
       std::chrono::steady_clock::now();
   std::string status = "running";    ///< running, done, not converged, ...

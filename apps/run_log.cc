@@ -24,29 +24,37 @@ RunLog::RunLog(const std::filesystem::path &file, Verbosity verbosity)
   file_->log.set_pattern("%Y-%m-%d %H:%M:%S %l: %v");
   file_->log.flush_on(spdlog::level::info);
 }
+RunLog::RunLog() : progress_(Verbosity::quiet) {}
 RunLog::~RunLog() = default;
+
+void RunLog::keep(const std::string &line)
+{
+  if (file_)
+    file_->log.info(line);
+}
 
 void RunLog::say(const std::string &line)
 {
-  file_->log.info(line);
+  keep(line);
   progress_.say(line);
 }
 
 void RunLog::detail(const std::string &line)
 {
-  file_->log.info(line);
+  keep(line);
   progress_.detail(line);
 }
 
 void RunLog::warn(const std::string &line)
 {
-  file_->log.warn(line);
+  if (file_)
+    file_->log.warn(line);
   progress_.say("warning: " + line);
 }
 
 void RunLog::begin(const std::string &title)
 {
-  file_->log.info(title);
+  keep(title);
   progress_.begin(title);
 }
 
@@ -56,7 +64,7 @@ void RunLog::step(double share,
                   const std::string &line)
 {
   if (!line.empty())
-    file_->log.info(line);
+    keep(line);
   progress_.update(share, count, unit, line);
 }
 

@@ -17,6 +17,8 @@ class RunLog
 public:
   /// Throws OutputError if the file cannot be written.
   RunLog(const std::filesystem::path &file, Verbosity verbosity);
+  /// Says nothing and keeps nothing.
+  RunLog();
   ~RunLog();
 
   void say(const std::string &line);
@@ -33,8 +35,10 @@ public:
   const Progress &progress() const { return progress_; }
 
 private:
+  void keep(const std::string &line);
+
   struct File;
-  std::unique_ptr<File> file_;
+  std::unique_ptr<File> file_; ///< none: nothing is kept
   Progress progress_;
 };
 } // namespace tamp::apps

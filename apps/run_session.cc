@@ -71,7 +71,35 @@ std::string status_of(ExitCode code)
     return "interrupted";
   }
 }
+
+// Throws InputError if the material cannot be shared out.
+void check_ranks(coupling::MaterialKind kind, const RankPlace &place)
+{
+  if (kind == coupling::MaterialKind::unit_cell && place.ranks > 1)
+    throw InputError(fmt::format("unit cells run on one rank in this version, "
+                                 "not on {}; use --threads N instead of "
+                                 "mpirun -np N",
+                                 place.ranks));
+}
 } // namespace
+
+RunEnd end_of(const std::exception_ptr &problem)
+{
+  try {
+    std::rethrow_exception(problem);
+  } catch (const InputError &error) {
+    return {exit_input, error.what()};
+  } catch (const std::invalid_argument &error) {
+    return {exit_input, error.what()};
+  } catch (const std::bad_alloc &) {
+    return {exit_not_converged, "the memory does not suffice"};
+  } catch (const std::exception &error) {
+    return {about_output(error) ? exit_output : exit_not_converged,
+            one_line(error.what())};
+  } catch (...) {
+    return {exit_not_converged, "the computation failed"};
+  }
+}
 
 unsigned available_cores()
 {
@@ -83,8 +111,9 @@ unsigned available_cores()
 
 RunSession::RunSession(const std::string &command,
                        const RunOptions &options,
-                       Need need)
-    : plots_(options.plots)
+                       Need need,
+                       const RankPlace &place)
+    : place_(place), plots_(options.plots && place.first())
 {
   ParameterTable table;
   declare_parameters(table);
@@ -93,15 +122,27 @@ RunSession::RunSession(const std::string &command,
     table.set(setting);
   take_powder(table);
   input_ = read_input(table, need);
+  check_ranks(input_.material.kind, place);
   record_.command = command;
   record_.input = options.input;
   record_.seed = input_.material.packing.seed;
+  record_.ranks = place.ranks;
   record_.threads = checked_threads(options.threads);
   input_.material.threads = record_.threads;
   std::ostringstream echo;
   table.echo(echo);
   record_.input_echo = echo.str();
 
+  if (place.first()) {
+    open_folder(options);
+  } else {
+    folder_ = std::make_unique<RunFolder>();
+    log_ = std::make_unique<RunLog>();
+  }
+}
+
+void RunSession::open_folder(const RunOptions &options)
+{
   const auto path = options.output.empty() ? "results" / options.input.stem()
                                            : options.output;
   std::vector<std::filesystem::path> needed = input_.files;
@@ -113,12 +154,14 @@ RunSession::RunSession(const std::string &command,
                              record_.input_echo));
   folder_->write("run.json", record_.json());
   log_ = std::make_unique<RunLog>(path / "log.txt", options.verbosity);
-  log_->detail(fmt::format("tamp {} {} {}, input {}, {} threads",
-                           build_facts().version,
-                           command,
-                           options.input.filename().string(),
-                           text_hash(record_.input_echo),
-                           record_.threads));
+  log_->detail(fmt::format(
+      "tamp {} {} {}, input {}, {}{} threads",
+      build_facts().version,
+      record_.command,
+      options.input.filename().string(),
+      text_hash(record_.input_echo),
+      record_.ranks > 1 ? fmt::format("on {} ranks of ", record_.ranks) : "",
+      record_.threads));
 }
 
 void RunSession::result(const std::string &name, double value)
@@ -136,25 +179,21 @@ void RunSession::warn(const std::string &warning)
 
 int RunSession::run(const std::function<RunEnd()> &work)
 {
-  const auto attempt = [&]() -> RunEnd {
-    try {
-      return work();
-    } catch (const InputError &error) {
-      return {exit_input, error.what()};
-    } catch (const std::invalid_argument &error) {
-      return {exit_input, error.what()};
-    } catch (const std::bad_alloc &) {
-      return {exit_not_converged, "the memory does not suffice"};
-    } catch (const std::exception &error) {
-      return {about_output(error) ? exit_output : exit_not_converged,
-              one_line(error.what())};
-    }
-  };
-  return finish(attempt());
+  RunEnd end;
+  try {
+    end = work();
+  } catch (...) {
+    if (!place_.first())
+      throw;
+    end = end_of(std::current_exception());
+  }
+  return finish(end);
 }
 
 int RunSession::finish(const RunEnd &end)
 {
+  if (!place_.first())
+    return end.code;
   log_->end();
   record_.status = status_of(end.code);
   record_.message = end.message;

@@ -7,6 +7,7 @@
 #include <apps/run_input.h>
 #include <apps/run_log.h>
 
+#include <exception>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -43,18 +44,33 @@ struct RunEnd {
   std::string message; ///< empty if all went well
 };
 
+/// Which of the ranks that mpirun started this process is.
+struct RankPlace {
+  unsigned rank = 0, ranks = 1;
+  bool first() const { return rank == 0; }
+};
+
+/// How an exception ends a run: InputError and std::invalid_argument with 2,
+/// what cannot be written with 4, all others with 3.
+RunEnd end_of(const std::exception_ptr &problem);
+
 /// A run from its input to its folder: reads and echoes the input, keeps log
-/// and record, and ends in one place.
+/// and record, and ends in one place. Of several ranks the first one writes
+/// and speaks; the sessions of the others do the same in silence.
 class RunSession
 {
 public:
   /// Throws InputError or OutputError; nothing is written if the input is
   /// wrong.
-  RunSession(const std::string &command, const RunOptions &options, Need need);
+  RunSession(const std::string &command,
+             const RunOptions &options,
+             Need need,
+             const RankPlace &place = {});
 
   const RunInput &input() const { return input_; }
   const RunFolder &folder() const { return *folder_; }
   RunLog &log() { return *log_; }
+  const RankPlace &place() const { return place_; }
   unsigned threads() const { return record_.threads; }
   bool plots() const { return plots_; }
   /// Adds a key result, "name[unit]".
@@ -65,8 +81,8 @@ public:
 
   /// Does the work of the run, then writes run.json and summary.txt, says how
   /// it ended, and gives the program's exit code. Exceptions of the work end
-  /// the run like any other end: InputError and std::invalid_argument with 2,
-  /// what cannot be written with 4, all others with 3.
+  /// the run like any other end, see end_of(); but on other ranks than the
+  /// first, which cannot tell, they leave it.
   int run(const std::function<RunEnd()> &work);
   /// The end after a signal that was caught.
   static RunEnd interrupted(int signal);
@@ -74,6 +90,9 @@ public:
 private:
   int finish(const RunEnd &end);
 
+  void open_folder(const RunOptions &options);
+
+  RankPlace place_;
   RunInput input_;
   RunRecord record_;
   std::unique_ptr<RunFolder> folder_;

@@ -13,19 +13,11 @@
 #include <fmt/ranges.h>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace
 {
 using namespace tamp::apps;
-
-// One message for every way to go wrong, and its exit code.
-int fail(ExitCode code, const std::string &message)
-{
-  fmt::print(stderr, "tamp: {}\n", message);
-  return code;
-}
 
 void add_run_options(CLI::App &command, RunOptions &options)
 {
@@ -56,32 +48,34 @@ void add_run_options(CLI::App &command, RunOptions &options)
       "--no-plots", [&options] { options.plots = false; }, "Draw no plots");
 }
 
-// Value of an environment variable as a number; none if it is not set.
-std::optional<int> number_in_environment(const char *name)
+// A number from the environment of whichever launcher there is: Open MPI or one
+// that speaks PMI; 0 if there is none.
+int number_of_launcher(const char *open_mpi, const char *pmi)
 {
-  const char *text = std::getenv(name);
-  if (!text || !*text)
-    return {};
-  return std::atoi(text);
+  for (const char *name : {open_mpi, pmi})
+    if (const char *text = std::getenv(name); text && *text)
+      return std::atoi(text);
+  return 0;
 }
 
-// Throws InputError on the first of several ranks, before anything is written;
-// false on the others, which leave the message and the exit code to it.
-bool alone()
+// One message for every way to go wrong, and its exit code. Of several ranks
+// the first one speaks.
+int fail(ExitCode code, const std::string &message)
 {
-  for (const auto &[ranks, rank] :
-       {std::pair("OMPI_COMM_WORLD_SIZE", "OMPI_COMM_WORLD_RANK"),
-        std::pair("PMI_SIZE", "PMI_RANK")}) {
-    const int count = number_in_environment(ranks).value_or(1);
-    if (count <= 1)
-      continue;
-    if (number_in_environment(rank).value_or(0) > 0)
-      return false;
-    throw InputError(fmt::format("this version runs on one rank, not on {}; "
-                                 "use --threads N instead of mpirun -np N",
+  if (number_of_launcher("OMPI_COMM_WORLD_RANK", "PMI_RANK") == 0)
+    fmt::print(stderr, "tamp: {}\n", message);
+  return code;
+}
+
+// Throws InputError on all of several ranks, before anything is written.
+void expect_one_rank(const std::string &command)
+{
+  const int count = number_of_launcher("OMPI_COMM_WORLD_SIZE", "PMI_SIZE");
+  if (count > 1)
+    throw InputError(fmt::format("tamp {} runs on one rank, not on {}; use "
+                                 "--threads N instead of mpirun -np N",
+                                 command,
                                  count));
-  }
-  return true;
 }
 
 struct OtherOptions {
@@ -155,21 +149,30 @@ int run(int argc, char **argv)
 
   CLI::App *die = app.add_subcommand("die", "Press a powder in a die");
   add_run_options(*die, options);
-  die->callback([&] { code = alone() ? run_die(options) : exit_done; });
+  die->callback([&] { code = run_die(options); });
 
   CLI::App *probe =
       app.add_subcommand("probe", "Take one material point along a path");
   add_run_options(*probe, options);
-  probe->callback([&] { code = alone() ? run_probe(options) : exit_done; });
+  probe->callback([&] {
+    expect_one_rank("probe");
+    code = run_probe(options);
+  });
 
   CLI::App *pack = app.add_subcommand("pack", "Make packings of grains");
   add_run_options(*pack, options);
-  pack->callback([&] { code = alone() ? run_pack(options) : exit_done; });
+  pack->callback([&] {
+    expect_one_rank("pack");
+    code = run_pack(options);
+  });
 
   CLI::App *contact = app.add_subcommand(
       "contact", "Take a pair of grains along a path or through an impact");
   add_run_options(*contact, options);
-  contact->callback([&] { code = alone() ? run_contact(options) : exit_done; });
+  contact->callback([&] {
+    expect_one_rank("contact");
+    code = run_contact(options);
+  });
 
   add_other_commands(app, other, code);
   app.add_subcommand("cite", "Print BibTeX entries")->callback([&] {

@@ -144,6 +144,16 @@ Fault Compact::evaluate(Want want)
   return agree(kind, worst);
 }
 
+std::vector<double> Compact::whole(std::span<const double> of_this_rank) const
+{
+  std::vector<double> result(mesh_.number_of_points(), 0.);
+  std::copy(of_this_rank.begin(),
+            of_this_rank.end(),
+            result.begin() + static_cast<std::ptrdiff_t>(point_share().begin));
+  ranks_.sum(result); // of one number and zeros: exact
+  return result;
+}
+
 std::size_t Compact::doubtful_points() const
 {
   double count = static_cast<double>(std::count_if(

@@ -52,6 +52,9 @@ public:
   std::span<const Response> trial_responses() const { return trial_.responses; }
   /// Numbers of this rank's points in the whole mesh.
   Share point_share() const;
+  /// Values of this rank's points at their places among those of all points, on
+  /// every rank. Collective.
+  std::vector<double> whole(std::span<const double> of_this_rank) const;
   /// Position [m] and volume [m3] of this rank's points, accepted.
   const std::vector<PointGeometry> &geometry() const { return committed_; }
 

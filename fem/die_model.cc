@@ -344,6 +344,12 @@ const std::vector<dealii::Tensor<2, 3>> &DieModel::deformation_gradients() const
   return implementation_->press.compact().state().deformation_gradients;
 }
 
+std::vector<double>
+DieModel::whole(const std::vector<double> &of_this_rank) const
+{
+  return implementation_->press.compact().whole(of_this_rank);
+}
+
 void DieModel::write_fields(const std::filesystem::path &folder,
                             const std::string &name,
                             const std::vector<PointField> &extra) const

@@ -103,11 +103,15 @@ public:
   std::vector<dealii::Tensor<1, 3>> point_positions() const;
   /// F since the start of every point: the product of relative_F.
   const std::vector<dealii::Tensor<2, 3>> &deformation_gradients() const;
+  /// One value for each point of this rank at its place among those of all
+  /// points, on every rank. Collective.
+  std::vector<double> whole(const std::vector<double> &of_this_rank) const;
 
   /// Writes the committed state as `folder`/`name`.vtu: each element as four
   /// quadrilaterals, one per material point, with displacement, Cauchy stress,
   /// relative density, point number and the extra fields. Throws
-  /// std::runtime_error naming the file if it cannot be written.
+  /// std::runtime_error naming the file if it cannot be written. Collective;
+  /// the first rank writes.
   void write_fields(const std::filesystem::path &folder,
                     const std::string &name,
                     const std::vector<PointField> &extra = {}) const;

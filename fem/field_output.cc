@@ -76,18 +76,6 @@ void add_nodal_values(const Press &press, Values &values)
   values.nodal.push_back(std::move(slip));
 }
 
-/// Puts this rank's values into their places of the whole mesh.
-std::vector<double> whole(const Press &press, const std::vector<double> &local)
-{
-  std::vector<double> result(press.mesh().number_of_points(), 0.);
-  std::copy(local.begin(),
-            local.end(),
-            result.begin() + static_cast<std::ptrdiff_t>(
-                                 press.compact().point_share().begin));
-  press.ranks().sum(result);
-  return result;
-}
-
 /// Fields of all points that the state holds.
 std::vector<PointField> fields_of(const Press &press)
 {
@@ -233,7 +221,7 @@ void write_compact(const std::filesystem::path &file,
   }
   for (const PointField &field : fields) {
     values.point_names.push_back(field.name);
-    values.point.push_back(whole(press, field.values));
+    values.point.push_back(press.compact().whole(field.values));
   }
   if (press.ranks().rank() != 0)
     return;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <apps/run_session.h>
+#include <apps/units.h>
 
 #include <filesystem>
 #include <fstream>
@@ -21,29 +22,45 @@ struct End {
   std::string record; ///< run.json
 };
 
+// The folder of one test, with an input in it, removed at the end.
+class Place
+{
+public:
+  Place()
+      : folder_(std::filesystem::temp_directory_path() /
+                ("tamp_session_" + std::to_string(getpid())))
+  {
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+    std::ofstream(folder_ / "law.prm")
+        << "subsection Material\nset Type = elastic\nend\n";
+    options.input = folder_ / "law.prm";
+    options.output = folder_ / "results";
+    options.verbosity = Verbosity::quiet;
+  }
+  ~Place() { std::filesystem::remove_all(folder_); }
+  Place(const Place &) = delete;
+  Place &operator=(const Place &) = delete;
+
+  RunOptions options;
+
+private:
+  std::filesystem::path folder_;
+};
+
 // A run whose work gives one result and throws.
 template <class Error>
 End run_that_throws(const Error &error)
 {
-  const auto folder = std::filesystem::temp_directory_path() /
-                      ("tamp_session_" + std::to_string(getpid()));
-  std::filesystem::remove_all(folder);
-  std::filesystem::create_directories(folder);
-  std::ofstream(folder / "law.prm")
-      << "subsection Material\nset Type = elastic\nend\n";
-  RunOptions options;
-  options.input = folder / "law.prm";
-  options.output = folder / "results";
-  options.verbosity = Verbosity::quiet;
-  RunSession session("probe", options, Need::probe);
+  const Place place;
+  RunSession session("probe", place.options, Need::probe);
   End end;
   end.code = session.run([&]() -> RunEnd {
     session.result("steps[-]", 7);
     throw error;
   });
-  std::ifstream in(options.output / "run.json");
+  std::ifstream in(place.options.output / "run.json");
   end.record.assign(std::istreambuf_iterator<char>(in), {});
-  std::filesystem::remove_all(folder);
   return end;
 }
 } // namespace
@@ -74,4 +91,32 @@ TEST(RunSession, WhatCannotBeWrittenEndsWithFour)
                                 "a", std::make_error_code(std::errc::io_error)))
                 .code,
             exit_output);
+}
+
+TEST(RunSession, OtherRanksWriteNothingAndLeaveExceptions)
+{
+  const Place place;
+  RunSession session("die", place.options, Need::die, {1, 2});
+  session.log().begin("pressing");
+  session.warn("loose");
+  EXPECT_EQ(session.folder().subfolder("fields"), "");
+  EXPECT_FALSE(session.plots());
+  EXPECT_EQ(session.run([] {
+    return RunEnd{exit_not_converged, "cut"};
+  }),
+            exit_not_converged);
+  EXPECT_THROW(
+      session.run([]() -> RunEnd { throw OutputError("'a' is full"); }),
+      OutputError);
+  EXPECT_FALSE(std::filesystem::exists(place.options.output));
+}
+
+TEST(RunSession, UnitCellsAreRefusedOnSeveralRanksBeforeAnythingIsWritten)
+{
+  Place place;
+  place.options.settings = {"Material/Type = unit cell"};
+  for (const unsigned rank : {0u, 1u})
+    EXPECT_THROW(RunSession("die", place.options, Need::die, {rank, 2}),
+                 InputError);
+  EXPECT_FALSE(std::filesystem::exists(place.options.output));
 }
