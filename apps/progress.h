@@ -8,7 +8,12 @@
 
 namespace tamp::apps
 {
-enum class Verbosity { quiet, normal, verbose };
+enum class Verbosity {
+  quiet,
+  normal, ///< with a bar on a terminal
+  lines,  ///< never a bar
+  verbose
+};
 
 /// "41 s", "3 min 20 s", "2 h 05 min".
 std::string duration(double seconds);

@@ -153,7 +153,10 @@ void RunSession::open_folder(const RunOptions &options)
                              build_facts().version,
                              record_.input_echo));
   folder_->write("run.json", record_.json());
-  log_ = std::make_unique<RunLog>(path / "log.txt", options.verbosity);
+  // mpirun gives what it starts a terminal, whatever its own output is.
+  const bool lines = place_.ranks > 1 && options.verbosity == Verbosity::normal;
+  log_ = std::make_unique<RunLog>(path / "log.txt",
+                                  lines ? Verbosity::lines : options.verbosity);
   log_->detail(fmt::format(
       "tamp {} {} {}, input {}, {}{} threads",
       build_facts().version,
