@@ -102,7 +102,8 @@ ToolContact::ToolContact(const Mesh &mesh, const Tools &tools)
   for (unsigned tool = 0; tool < number_of_tools; ++tool)
     if (tools.surfaces[tool])
       for (const unsigned node : mesh.tools[tool].nodes)
-        pairs_.push_back({node, static_cast<Tool>(tool)});
+        for (unsigned face = 0; face < tools.surfaces[tool]->faces(); ++face)
+          pairs_.push_back({node, static_cast<Tool>(tool), face});
   for (std::size_t i = 0; i < pairs_.size(); ++i)
     pairs_of_node_[pairs_[i].node].push_back(i);
   accepted_.resize(pairs_.size());
@@ -137,7 +138,7 @@ void ToolContact::update_areas(const NodePositions &positions)
         share[contact.faces[i + a]] += area / n;
     }
     for (const unsigned node : contact.nodes)
-      areas_.push_back(share[node]);
+      areas_.insert(areas_.end(), tools_.surfaces[tool]->faces(), share[node]);
   }
 }
 
@@ -169,11 +170,11 @@ ToolContact::Approach ToolContact::approach(std::size_t pair,
                                             const NodePositions &positions,
                                             const ToolPositions &tools) const
 {
-  const auto [node, tool] = pairs_[pair];
+  const auto [node, tool, face] = pairs_[pair];
   Vector place = positions[node];
   place[2] -= tools[tool];
   Approach result;
-  result.surface = tools_.surfaces[tool]->nearest(below_rim(place, tool));
+  result.surface = tools_.surfaces[tool]->nearest(below_rim(place, tool), face);
   result.normal = multipliers_[pair] -
                   normal_stiffness * stiffness_[pair] * result.surface.distance;
   result.touches =
@@ -200,7 +201,7 @@ PairForce ToolContact::fading(std::size_t pair,
                               const NodePositions &positions,
                               const ToolPositions &tools) const
 {
-  const auto [node, tool] = pairs_[pair];
+  const auto [node, tool, face] = pairs_[pair];
   const double above = positions[node][2] - tools[tool] - rim_;
   const double share = std::min(1., 1 - above / fading_height());
   if (share <= 0)
@@ -323,12 +324,17 @@ void ToolContact::accept(std::span<const PairForce> forces,
 ToolForces ToolContact::sums(std::span<const PairForce> forces) const
 {
   ToolForces result;
+  const ContactPair *counted = nullptr;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    ToolForce &tool = result[pairs_[i].tool];
+    const ContactPair &pair = pairs_[i];
+    ToolForce &tool = result[pair.tool];
     tool.force += forces[i].force;
     tool.normal += forces[i].normal;
-    if (forces[i].status != ContactStatus::open)
-      tool.area += areas_[i];
+    if (forces[i].status == ContactStatus::open ||
+        (counted && counted->node == pair.node && counted->tool == pair.tool))
+      continue;
+    tool.area += areas_[i];
+    counted = &pair;
   }
   return result;
 }

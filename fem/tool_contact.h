@@ -33,10 +33,12 @@ struct ToolForce {
 };
 using ToolForces = std::array<ToolForce, number_of_tools>;
 
-/// A node and a tool that it may touch.
+/// A node and a tool that it may touch, or one face of it: in a hollow edge a
+/// node touches two faces at once.
 struct ContactPair {
   unsigned node = 0;
   Tool tool = die_wall;
+  unsigned face = 0;
 };
 
 /// What a pair does in a trial.
@@ -107,7 +109,8 @@ public:
 
   /// Forces of the accepted state.
   const std::vector<PairForce> &accepted() const { return accepted_; }
-  /// Area of the powder's surface that belongs to a pair, accepted [m2].
+  /// Area of the powder's surface that belongs to a pair, with all faces of its
+  /// tool, accepted [m2].
   double area(std::size_t pair) const { return areas_[pair]; }
 
   /// Mean height of the elements along the die wall, accepted [m].
