@@ -42,9 +42,14 @@ double pressure(const Response &response)
 class Progress
 {
 public:
+  /// @param share  of the best residual so far that counts as progress.
+  explicit Progress(double share = 1) : share_(share) {}
+
+  unsigned waited() const { return waited_; }
+
   bool stagnates(double residual)
   {
-    if (residual < best_) {
+    if (residual < share_ * best_) {
       best_ = residual;
       waited_ = 0;
       return false;
@@ -53,6 +58,7 @@ public:
   }
 
 private:
+  double share_;
   double best_ = std::numeric_limits<double>::infinity();
   unsigned waited_ = 0;
 };
@@ -138,6 +144,7 @@ Equilibrium::attempt(const Motion &motion, const Increment &guess, bool guard)
 void Equilibrium::search_newton(Attempt &attempt)
 {
   std::vector<double> imbalance;
+  Progress progress(0.5);
   bool fresh = true; // begin() has made the first trial
   NewtonProblem problem;
   problem.residual = [&](const std::vector<double> &x, std::vector<double> &r) {
@@ -150,7 +157,7 @@ void Equilibrium::search_newton(Attempt &attempt)
     fresh = false;
     increment_ = x;
     r = imbalance = measure(attempt);
-    return true;
+    return !progress.stagnates(attempt.force_residual);
   };
   problem.solve = [&](std::span<const double>, std::span<double> y) {
     // SNES subtracts its solution.
@@ -159,14 +166,9 @@ void Equilibrium::search_newton(Attempt &attempt)
       y[i] = -change[i];
     return !change.empty();
   };
-  double best = std::numeric_limits<double>::infinity();
   problem.limit = [&](const Increment &x, Increment &step) {
     // A kink of law or contact can make full steps go round in circles.
-    constexpr unsigned full_steps = 6;
-    const bool circles =
-        attempt.iterations > full_steps && attempt.force_residual > 0.5 * best;
-    best = std::min(best, attempt.force_residual);
-    if (circles)
+    if (progress.waited() > 1)
       for (double &value : step)
         value *= 0.5;
     Increment to = x;

@@ -51,6 +51,10 @@ public:
     check(
         MatCreateShell(PETSC_COMM_SELF, size, size, size, size, this, &matrix_),
         "creating the matrix");
+    // SNES multiplies only to ask whether it failed in a local minimum.
+    check(MatShellSetOperation(
+              matrix_, MATOP_MULT, reinterpret_cast<void (*)()>(copy)),
+          "creating the matrix");
     check(SNESCreate(PETSC_COMM_SELF, &snes_), "creating SNES");
     check(SNESSetType(snes_, SNESNEWTONLS), "choosing Newton's method");
     check(SNESSetFunction(snes_, residual_, form_residual, this), "set-up");
@@ -140,6 +144,8 @@ private:
 
   /// The problem makes its derivative when it solves.
   static PetscErrorCode keep_jacobian(SNES, Vec, Mat, Mat, void *) { return 0; }
+
+  static PetscErrorCode copy(Mat, Vec x, Vec y) { return VecCopy(x, y); }
 
   static PetscErrorCode apply(PC pc, Vec r, Vec y)
   {

@@ -199,6 +199,7 @@ Press::contact_blocks(const std::vector<PairForce> &forces,
     if (forces[i].status != ContactStatus::open)
       blocks.push_back({contact_.pairs()[i].node,
                         contact_.pairs()[i].tool,
+                        forces[i].status,
                         contact_.stiffness(i, forces[i], positions, tools)});
   return blocks;
 }

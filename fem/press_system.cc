@@ -85,6 +85,18 @@ std::vector<char> owned_nodes(const Mesh &mesh, const Ranks &ranks)
   return owned;
 }
 
+/// Do they differ by little?
+bool are_alike(const std::vector<ContactBlock> &a,
+               const std::vector<ContactBlock> &b)
+{
+  constexpr double little = 0.02;
+  const auto alike = [](const ContactBlock &x, const ContactBlock &y) {
+    return x.node == y.node && x.tool == y.tool && x.status == y.status &&
+           (x.stiffness - y.stiffness).norm() <= little * y.stiffness.norm();
+  };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), alike);
+}
+
 double dot(std::span<const double> a, std::span<const double> b)
 {
   return std::inner_product(a.begin(), a.end(), b.begin(), 0.);
@@ -190,7 +202,7 @@ bool PressSystem::factorise(const SparseRows &stiffness,
                             const std::vector<ContactBlock> &contacts,
                             const std::array<bool, number_of_tools> &loaded)
 {
-  if (factored_ && contacts == contacts_ && loaded == loaded_)
+  if (factored_ && loaded == loaded_ && are_alike(contacts, contacts_))
     return true;
   contacts_ = contacts;
   loaded_ = loaded;

@@ -3,6 +3,7 @@
 #define fem_press_system_h
 
 #include <fem/assembler.h>
+#include <fem/friction.h>
 #include <fem/linear_solver.h>
 #include <fem/mesh.h>
 #include <fem/ranks.h>
@@ -31,9 +32,8 @@ inline std::size_t tool_dof(const Mesh &mesh, unsigned tool)
 /// The contact of a node with a tool as it enters the equations.
 struct ContactBlock {
   unsigned node = 0, tool = 0;
+  ContactStatus status = ContactStatus::open;
   dealii::Tensor<2, 3> stiffness; ///< - d force / d position of the node [N/m]
-
-  bool operator==(const ContactBlock &) const = default;
 };
 
 /// The linear equations of the compact between its tools. The matrix holds the
@@ -52,9 +52,10 @@ public:
   std::vector<char>
   free_unknowns(const std::array<bool, number_of_tools> &loaded) const;
 
-  /// Makes the equations of these contacts; keeps the factors if nothing has
-  /// changed since. @param stiffness  of the powder, this rank's part [N/m].
-  /// False if the equations are singular. Collective.
+  /// Makes the equations of these contacts; keeps the factors if little has
+  /// changed since: an iteration that looks at its residual gets there all the
+  /// same, in cheaper steps. @param stiffness  of the powder, this rank's part
+  /// [N/m]. False if the equations are singular. Collective.
   [[nodiscard]] bool factorise(const SparseRows &stiffness,
                                const std::vector<ContactBlock> &contacts,
                                const std::array<bool, number_of_tools> &loaded);
