@@ -119,6 +119,7 @@ ToolContact::ToolContact(const Mesh &mesh, const Tools &tools)
     rim_ = std::max(rim_, mesh.nodes[node][2]);
   released_.assign(pairs_.size(), false);
   at_release_.resize(pairs_.size());
+  release_heights_.assign(pairs_.size(), 0.);
   update_areas(mesh.nodes);
 }
 
@@ -162,6 +163,7 @@ void ToolContact::begin(std::span<const double> node_stiffness,
         height > rim_ + passing * touch_) {
       released_[i] = true;
       at_release_[i] = accepted_[i];
+      release_heights_[i] = height - rim_;
     }
   }
 }
@@ -197,14 +199,22 @@ ToolContact::Approach ToolContact::approach(std::size_t pair,
   return result;
 }
 
+double ToolContact::fading_way(std::size_t pair) const
+{
+  constexpr double least = 0.25; // of a node that was let go late
+  return std::max(fading_height() - release_heights_[pair],
+                  least * fading_height());
+}
+
 PairForce ToolContact::fading(std::size_t pair,
                               const NodePositions &positions,
                               const ToolPositions &tools) const
 {
   const auto [node, tool, face] = pairs_[pair];
   const double above = positions[node][2] - tools[tool] - rim_;
-  const double share = std::min(1., 1 - above / fading_height());
-  if (share <= 0)
+  const double share =
+      std::min(1., 1 - (above - release_heights_[pair]) / fading_way(pair));
+  if (share <= 0 || at_release_[pair].status == ContactStatus::open)
     return {};
   PairForce result = at_release_[pair];
   result.status = ContactStatus::fading;
@@ -256,7 +266,7 @@ Matrix ToolContact::stiffness(std::size_t pair,
   if (released_[pair]) {
     Matrix result;
     for (unsigned i = 0; i < 3; ++i)
-      result[i][2] = at_release_[pair].force[i] / fading_height();
+      result[i][2] = at_release_[pair].force[i] / fading_way(pair);
     return result;
   }
   const Approach now = approach(pair, positions, tools);

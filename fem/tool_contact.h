@@ -59,9 +59,10 @@ struct PairForce {
 /// within a step with augment(). Friction by return mapping. A node that leaves
 /// a tool is free. Die and core end at the rim, the height of the uppermost
 /// wall node at the start. A node that begins an increment above it is let go
-/// for good: its force fades over the next half element, as the faces next to
-/// it leave the wall. Source: J. C. Simo and T. A. Laursen (1992), An augmented
-/// Lagrangian treatment of contact problems involving friction.
+/// for good: its force fades, from all of it, until half an element above the
+/// rim, as the faces next to it leave the wall. Source: J. C. Simo and T. A.
+/// Laursen (1992), An augmented Lagrangian treatment of contact problems
+/// involving friction.
 class ToolContact
 {
 public:
@@ -127,6 +128,7 @@ private:
   Approach approach(std::size_t pair,
                     const NodePositions &positions,
                     const ToolPositions &tools) const;
+  double fading_way(std::size_t pair) const;
   PairForce fading(std::size_t pair,
                    const NodePositions &positions,
                    const ToolPositions &tools) const;
@@ -139,9 +141,10 @@ private:
   Tools tools_;
   std::vector<ContactPair> pairs_;
   std::vector<PairForce> accepted_;
-  std::vector<char> released_;        ///< has passed the rim, per pair
-  std::vector<PairForce> at_release_; ///< forces there
-  double element_height_ = 0;         ///< [m]
+  std::vector<char> released_;          ///< has passed the rim, per pair
+  std::vector<PairForce> at_release_;   ///< forces there
+  std::vector<double> release_heights_; ///< above the rim, there [m]
+  double element_height_ = 0;           ///< [m]
   double rim_ = -std::numeric_limits<double>::infinity(); ///< z at start [m]
   double margin_ = 0;                                     ///< [m]
   double touch_ = 0; ///< a node this near touches a tool [m]
