@@ -9,6 +9,7 @@
 #include <apps/recorded_points.h>
 #include <apps/run_material.h>
 #include <apps/schedule.h>
+#include <apps/section_map.h>
 #include <apps/units.h>
 #include <fem/die_model.h>
 
@@ -178,7 +179,9 @@ private:
     if (material_.cells)
       judge_cells(record);
     if (kind(record.stage) == StageKind::press)
-      map_ = density_map(model_);
+      map_ = section_map(mesh_, model_, [](const fem::Response &response) {
+        return response.relative_density;
+      });
     session_.log().step(
         share(record), record.step, "steps", line(record, effort));
   }

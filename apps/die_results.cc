@@ -14,14 +14,17 @@ double ratio(double part, double whole)
   return std::abs(whole) > 0 ? part / whole : 0;
 }
 
-// upper - lower - wall friction, over the largest force of a tool.
-double imbalance(const fem::StepRecord &record)
+// upper - lower - wall friction, over the largest force of a tool, which counts
+// as at least a small share of the peak: nothing presses a compact that is out.
+double imbalance(const fem::StepRecord &record, double peak)
 {
+  constexpr double smallest = 1e-4;
   return ratio(std::abs(record.upper_force - record.lower_force -
                         record.wall_friction_force),
                std::max({std::abs(record.upper_force),
                          std::abs(record.lower_force),
-                         std::abs(record.wall_normal_force)}));
+                         std::abs(record.wall_normal_force),
+                         smallest * peak}));
 }
 } // namespace
 
@@ -92,7 +95,8 @@ void DieResults::take(const fem::StepRecord &record,
   doubtful_points_ += record.doubtful_points;
   doubtful_steps_ += record.doubtful_points > 0;
   evaluations_ += effort.evaluations;
-  worst_balance_ = std::max(worst_balance_, imbalance(record));
+  worst_balance_ =
+      std::max(worst_balance_, imbalance(record, peak_.upper_force));
   worst_unbalance_ = std::max(worst_unbalance_, effort.worst_unbalance);
   worst_hill_mandel_ = std::max(worst_hill_mandel_, effort.worst_hill_mandel);
   if (record.upper_force > peak_.upper_force)
@@ -156,37 +160,4 @@ void DieResults::give(RunSession &session) const
   }
 }
 
-std::vector<ValueQuadrilateral> density_map(const fem::DieModel &model)
-{
-  std::vector<double> own_r, own_z, own_density;
-  for (const auto &position : model.point_positions()) {
-    own_r.push_back(position[0]);
-    own_z.push_back(position[2]);
-  }
-  for (const fem::Response &response : model.responses())
-    own_density.push_back(response.relative_density);
-  const auto r = model.whole(own_r), z = model.whole(own_z);
-  const auto density = model.whole(own_density);
-  std::vector<ValueQuadrilateral> map;
-  for (std::size_t point = 0; point + 3 < density.size(); point += 4) {
-    // Place of (x, y) in [-1, 1]^2 by the points, which sit at +-1/sqrt(3).
-    const auto place = [&](double x, double y) {
-      const double a = 0.5 * (1 + std::sqrt(3.) * x);
-      const double b = 0.5 * (1 + std::sqrt(3.) * y);
-      const auto mean = [&](const std::vector<double> &value) {
-        return (1 - b) * ((1 - a) * value[point] + a * value[point + 1]) +
-               b * ((1 - a) * value[point + 2] + a * value[point + 3]);
-      };
-      return std::array<double, 2>{mean(r), mean(z)};
-    };
-    for (std::size_t quarter = 0; quarter < 4; ++quarter) {
-      const double x = quarter % 2 == 0 ? -1 : 0;
-      const double y = quarter / 2 == 0 ? -1 : 0;
-      map.push_back(
-          {{place(x, y), place(x + 1, y), place(x + 1, y + 1), place(x, y + 1)},
-           density[point + quarter]});
-    }
-  }
-  return map;
-}
 } // namespace tamp::apps

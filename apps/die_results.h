@@ -2,7 +2,6 @@
 #ifndef apps_die_results_h
 #define apps_die_results_h
 
-#include <apps/plots.h>
 #include <apps/run_session.h>
 #include <fem/die_model.h>
 
@@ -46,10 +45,6 @@ private:
   std::size_t doubtful_points_ = 0;
 };
 
-/// The quarter of its element that each material point stands for, in the
-/// committed state, with the relative density: the four points of an element
-/// fix its bilinear shape. Collective.
-std::vector<ValueQuadrilateral> density_map(const fem::DieModel &model);
 } // namespace tamp::apps
 
 #endif

@@ -111,6 +111,21 @@ struct DieModel::Implementation {
     return std::isfinite(edge) ? edge : any;
   }
 
+  /// How far the compact's lower edge is below that of its punch, and a little
+  /// more: as it springs back it slides down a domed face [m].
+  double lag(const NodePositions &positions) const
+  {
+    constexpr double surely = 1e-5; // of the compact's height
+    double lowest = state.bottom;
+    for (const Tool bore : {die_wall, core_rod}) {
+      const auto &nodes = mesh.tools[bore].nodes;
+      for (const unsigned node : mesh.tools[lower_punch].nodes)
+        if (std::binary_search(nodes.begin(), nodes.end(), node))
+          lowest = std::min(lowest, positions[node][2]);
+    }
+    return state.bottom - lowest + surely * state.height;
+  }
+
   ForceOnTools on_tools(const ToolForces &forces) const
   {
     ForceOnTools result{};
@@ -135,7 +150,7 @@ struct DieModel::Implementation {
                    press.tools()[lower_punch];
     state.die_displacement = press.tools()[die_wall];
     state.element_height = press.contact().element_height();
-    state.fading_height = press.contact().fading_height();
+    state.fading_height = press.contact().fading_height() + lag(positions);
     state.upper_displacement = -press.tools()[upper_punch];
     state.lower_displacement = press.tools()[lower_punch];
     state.force = on_tools(forces);

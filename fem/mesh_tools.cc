@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -194,6 +195,36 @@ std::vector<Vector> places_on(const Mesh &mesh, Tool tool)
   return places;
 }
 
+/// The walls of a rectangle whose corners are rounded, if all nodes lie on one;
+/// the radius is that of the arc through the node farthest off the walls.
+std::optional<ToolSurface>
+rounded_wall(const Mesh &mesh, double half_x, double half_y, double rim)
+{
+  const double size = std::min(half_x, half_y);
+  const auto &nodes = mesh.tools[die_wall].nodes;
+  double farthest = tolerance * size, radius = 0;
+  for (const unsigned node : nodes) {
+    const double a = half_x - std::abs(mesh.nodes[node][0]);
+    const double b = half_y - std::abs(mesh.nodes[node][1]);
+    if (std::min(a, b) > farthest) {
+      farthest = std::min(a, b);
+      radius = a + b + std::sqrt(2 * a * b);
+    }
+  }
+  if (!(radius > 0) || radius > (1 + tolerance) * size)
+    return {};
+  const ToolSurface wall = ToolSurface::extruded(
+      rectangle_profile(half_x, half_y, std::min(radius, size)), rim);
+  for (const unsigned node : nodes) {
+    Vector place = mesh.nodes[node];
+    place[2] =
+        rim - size; // below the rim, which is nearer to nodes at its edge
+    if (std::abs(wall.nearest(place).distance) > tolerance * size)
+      return {};
+  }
+  return wall;
+}
+
 ToolSurface wall_in_space(const Mesh &mesh, double rim)
 {
   // Corners alone could be those of a rectangle or lie on a circle.
@@ -213,13 +244,15 @@ ToolSurface wall_in_space(const Mesh &mesh, double rim)
     return ToolSurface::extruded(rectangle_profile(half_x, half_y), rim);
   if (is_round(mesh, die_wall, radius))
     return ToolSurface::revolved(bore_profile(radius, rim));
+  if (const auto rounded = rounded_wall(mesh, half_x, half_y, rim))
+    return *rounded;
   complain(die_wall,
            " goes through x = ",
            (*off)[0],
            " m, y = ",
            (*off)[1],
-           " m; expected a circular cylinder or an axis-parallel rectangle "
-           "about the z axis, here of radius ",
+           " m; expected a circular cylinder or an axis-parallel rectangle, "
+           "also with rounded corners, about the z axis, here of radius ",
            radius,
            " m or of half sides ",
            half_x,

@@ -87,6 +87,11 @@ struct Profile::Corner {
   {
     return std::abs(turn_between(before, after)) >= 1e-9;
   }
+  /// Can powder touch both of its sides at once?
+  bool is_hollow(const Corner &before, const Corner &after) const
+  {
+    return !(radius > 0) && turn_between(before, after) > 0;
+  }
   /// Between the corner and the ends of its arc [m].
   double tangent_length(const Corner &before, const Corner &after) const
   {
@@ -125,27 +130,74 @@ Profile::Profile(std::vector<Point> corners, std::vector<double> radii)
   join(kept, closed);
 }
 
+/// The corners of a chain with their neighbours.
+struct Profile::Chain {
+  const std::vector<Corner> &corners;
+  bool closed;
+
+  std::size_t lines() const { return corners.size() - 1; }
+  /// Of a closed chain the last corner is the first.
+  bool is_inner(std::size_t i) const
+  {
+    return closed || (i > 0 && i < lines());
+  }
+  const Corner &before(std::size_t i) const
+  {
+    return corners[i == 0 ? lines() - 1 : i - 1];
+  }
+  const Corner &after(std::size_t i) const
+  {
+    return corners[i == lines() ? 1 : i + 1];
+  }
+  bool is_hollow(std::size_t i) const
+  {
+    return is_inner(i) && corners[i].is_hollow(before(i), after(i));
+  }
+  /// How far a face that ends at the corner goes on [m].
+  double reach(std::size_t i) const
+  {
+    const Point &here = corners[i].position;
+    return is_hollow(i) ? std::min((before(i).position - here).norm(),
+                                   (after(i).position - here).norm())
+                        : 0;
+  }
+  /// The face of each line.
+  std::vector<unsigned> faces() const
+  {
+    std::vector<unsigned> result{0};
+    for (std::size_t i = 1; i < lines(); ++i)
+      result.push_back(result.back() + is_hollow(i));
+    const unsigned last = result.back();
+    if (closed && !is_hollow(0)) // it is in the middle of a face
+      for (unsigned &face : result)
+        face = face == last ? 0 : face;
+    return result;
+  }
+};
+
 void Profile::join(const std::vector<Corner> &corners, bool closed)
 {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  const std::size_t last = corners.size() - 1;
+  const Chain chain{corners, closed};
+  const std::vector<unsigned> face = chain.faces();
+  faces_ = 1 + *std::max_element(face.begin(), face.end());
   // Where the arc of each corner begins and ends; none at a chain's ends.
   std::vector<double> trim(corners.size(), -infinity);
-  for (std::size_t i = closed ? 0 : 1; i < last; ++i) {
+  for (std::size_t i = closed ? 0 : 1; i < chain.lines(); ++i) {
     const Corner &corner = corners[i];
-    const Corner &before = corners[i == 0 ? last - 1 : i - 1];
-    const Corner &after = corners[i + 1];
-    trim[i] = corner.tangent_length(before, after);
-    const Point incoming = before.direction_to(corner);
-    const Point outgoing = corner.direction_to(after);
+    trim[i] = corner.tangent_length(chain.before(i), chain.after(i));
+    const Point incoming = chain.before(i).direction_to(corner);
+    const Point outgoing = corner.direction_to(chain.after(i));
     const double left = turn(incoming, outgoing) > 0 ? 1 : -1;
     const Point centre = corner.position - trim[i] * incoming +
                          left * corner.radius * left_of(incoming);
-    arcs_.push_back({centre, incoming, outgoing, corner.radius, -left});
+    arcs_.push_back({centre, incoming, outgoing, corner.radius, -left, {}});
+    if (!chain.is_hollow(i))
+      arcs_.back().face = face[i];
   }
   if (closed)
-    trim[last] = trim[0];
-  for (std::size_t i = 0; i < last; ++i) {
+    trim.back() = trim.front();
+  for (std::size_t i = 0; i < chain.lines(); ++i) {
     const double length =
         (corners[i + 1].position - corners[i].position).norm();
     const double rest = length - trim[i] - trim[i + 1];
@@ -154,11 +206,14 @@ void Profile::join(const std::vector<Corner> &corners, bool closed)
                corners[trim[i] > trim[i + 1] ? i : i + 1].position,
                "a smaller radius");
     // Nothing is left between arcs that meet.
-    if (rest > slack_)
+    if (rest > slack_ || chain.is_hollow(i) || chain.is_hollow(i + 1))
       lines_.push_back({corners[i].position,
                         corners[i].direction_to(corners[i + 1]),
                         trim[i] - slack_,
-                        length - trim[i + 1] + slack_});
+                        length - trim[i + 1] + slack_,
+                        chain.reach(i),
+                        chain.reach(i + 1),
+                        face[i]});
   }
 }
 
@@ -189,16 +244,30 @@ ProfilePoint Profile::Arc::seen_from(const Point &position,
 
 ProfilePoint Profile::nearest(const Point &position) const
 {
+  return closest(position, {});
+}
+
+ProfilePoint Profile::nearest(const Point &position, unsigned face) const
+{
+  return closest(position, face);
+}
+
+ProfilePoint Profile::closest(const Point &position,
+                              const std::optional<unsigned> &face) const
+{
   // The nearest place is in the span of a line, or in the sector of an arc; a
   // sharp corner is the nearest in the sector that its neighbours leave open.
   double smallest = std::numeric_limits<double>::infinity();
-  // Only a place that is no number has none.
-  const Line *line = lines_.empty() ? nullptr : &lines_.front();
-  const Arc *arc = line ? nullptr : &arcs_.front();
+  // Of a whole chain, only a place that is no number has none.
+  const Line *line = lines_.empty() || face ? nullptr : &lines_.front();
+  const Arc *arc = line || face ? nullptr : &arcs_.front();
   for (const Line &candidate : lines_) {
     const Point offset = position - candidate.start;
     const double along = offset * candidate.direction;
-    if (along < candidate.begin || along > candidate.end)
+    if (face ? candidate.face != *face ||
+                   along < candidate.begin - candidate.reach_before ||
+                   along > candidate.end + candidate.reach_after
+             : along < candidate.begin || along > candidate.end)
       continue;
     const double across = left_of(candidate.direction) * offset;
     if (across * across < smallest) {
@@ -208,7 +277,8 @@ ProfilePoint Profile::nearest(const Point &position) const
   }
   for (const Arc &candidate : arcs_) {
     const Point offset = position - candidate.centre;
-    if (offset * candidate.incoming < -slack_ ||
+    if ((face && candidate.face != face) ||
+        offset * candidate.incoming < -slack_ ||
         offset * candidate.outgoing > slack_)
       continue;
     const double gap = offset.norm() - candidate.radius;
@@ -217,6 +287,8 @@ ProfilePoint Profile::nearest(const Point &position) const
       arc = &candidate;
     }
   }
+  if (!arc && !line)
+    return {std::numeric_limits<double>::infinity(), {}, 0};
   return arc ? arc->seen_from(position, 1e-9 * size_)
              : line->seen_from(position);
 }

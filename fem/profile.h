@@ -4,6 +4,7 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <optional>
 #include <vector>
 
 namespace tamp::fem
@@ -42,28 +43,43 @@ public:
   /// the arc's ends and the curvature zero.
   ProfilePoint nearest(const Point &position) const;
 
+  /// The chain consists of faces: it is divided at the sharp corners that turn
+  /// to the left, in which powder can touch both sides at once.
+  unsigned faces() const { return faces_; }
+  /// The same of one face alone, which goes on straight beyond the corners that
+  /// end it, as far as the shorter of the two sides there is long. Farther off
+  /// the distance is infinite.
+  ProfilePoint nearest(const Point &position, unsigned face) const;
+
 private:
   struct Line {
     Point start, direction;
     double begin, end; ///< along the direction, from the start [m]
+    double reach_before, reach_after; ///< of its face beyond its ends [m]
+    unsigned face;
 
     ProfilePoint seen_from(const Point &position) const;
   };
   /// A rounded or sharp corner.
   struct Arc {
     Point centre;
-    Point incoming, outgoing; ///< unit tangents at the ends
-    double radius;            ///< zero: sharp [m]
-    double side;              ///< 1: powder outside the circle, -1: inside
+    Point incoming, outgoing;     ///< unit tangents at the ends
+    double radius;                ///< zero: sharp [m]
+    double side;                  ///< 1: powder outside the circle, -1: inside
+    std::optional<unsigned> face; ///< none: divides two
 
     ProfilePoint seen_from(const Point &position, double smallest) const;
   };
   struct Corner;
+  struct Chain;
 
   void join(const std::vector<Corner> &corners, bool closed);
+  ProfilePoint closest(const Point &position,
+                       const std::optional<unsigned> &face) const;
 
   std::vector<Line> lines_;
   std::vector<Arc> arcs_;
+  unsigned faces_ = 1;
   double size_ = 0;  ///< largest extent of the corners [m]
   double slack_ = 0; ///< by which pieces overlap, against rounding [m]
 };

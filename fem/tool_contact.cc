@@ -102,7 +102,8 @@ ToolContact::ToolContact(const Mesh &mesh, const Tools &tools)
   for (unsigned tool = 0; tool < number_of_tools; ++tool)
     if (tools.surfaces[tool])
       for (const unsigned node : mesh.tools[tool].nodes)
-        pairs_.push_back({node, static_cast<Tool>(tool)});
+        for (unsigned face = 0; face < tools.surfaces[tool]->faces(); ++face)
+          pairs_.push_back({node, static_cast<Tool>(tool), face});
   for (std::size_t i = 0; i < pairs_.size(); ++i)
     pairs_of_node_[pairs_[i].node].push_back(i);
   accepted_.resize(pairs_.size());
@@ -118,6 +119,7 @@ ToolContact::ToolContact(const Mesh &mesh, const Tools &tools)
     rim_ = std::max(rim_, mesh.nodes[node][2]);
   released_.assign(pairs_.size(), false);
   at_release_.resize(pairs_.size());
+  release_heights_.assign(pairs_.size(), 0.);
   update_areas(mesh.nodes);
 }
 
@@ -137,7 +139,7 @@ void ToolContact::update_areas(const NodePositions &positions)
         share[contact.faces[i + a]] += area / n;
     }
     for (const unsigned node : contact.nodes)
-      areas_.push_back(share[node]);
+      areas_.insert(areas_.end(), tools_.surfaces[tool]->faces(), share[node]);
   }
 }
 
@@ -161,6 +163,7 @@ void ToolContact::begin(std::span<const double> node_stiffness,
         height > rim_ + passing * touch_) {
       released_[i] = true;
       at_release_[i] = accepted_[i];
+      release_heights_[i] = height - rim_;
     }
   }
 }
@@ -169,11 +172,11 @@ ToolContact::Approach ToolContact::approach(std::size_t pair,
                                             const NodePositions &positions,
                                             const ToolPositions &tools) const
 {
-  const auto [node, tool] = pairs_[pair];
+  const auto [node, tool, face] = pairs_[pair];
   Vector place = positions[node];
   place[2] -= tools[tool];
   Approach result;
-  result.surface = tools_.surfaces[tool]->nearest(below_rim(place, tool));
+  result.surface = tools_.surfaces[tool]->nearest(below_rim(place, tool), face);
   result.normal = multipliers_[pair] -
                   normal_stiffness * stiffness_[pair] * result.surface.distance;
   result.touches =
@@ -196,14 +199,22 @@ ToolContact::Approach ToolContact::approach(std::size_t pair,
   return result;
 }
 
+double ToolContact::fading_way(std::size_t pair) const
+{
+  constexpr double least = 0.25; // of a node that was let go late
+  return std::max(fading_height() - release_heights_[pair],
+                  least * fading_height());
+}
+
 PairForce ToolContact::fading(std::size_t pair,
                               const NodePositions &positions,
                               const ToolPositions &tools) const
 {
-  const auto [node, tool] = pairs_[pair];
+  const auto [node, tool, face] = pairs_[pair];
   const double above = positions[node][2] - tools[tool] - rim_;
-  const double share = std::min(1., 1 - above / fading_height());
-  if (share <= 0)
+  const double share =
+      std::min(1., 1 - (above - release_heights_[pair]) / fading_way(pair));
+  if (share <= 0 || at_release_[pair].status == ContactStatus::open)
     return {};
   PairForce result = at_release_[pair];
   result.status = ContactStatus::fading;
@@ -255,7 +266,7 @@ Matrix ToolContact::stiffness(std::size_t pair,
   if (released_[pair]) {
     Matrix result;
     for (unsigned i = 0; i < 3; ++i)
-      result[i][2] = at_release_[pair].force[i] / fading_height();
+      result[i][2] = at_release_[pair].force[i] / fading_way(pair);
     return result;
   }
   const Approach now = approach(pair, positions, tools);
@@ -323,12 +334,17 @@ void ToolContact::accept(std::span<const PairForce> forces,
 ToolForces ToolContact::sums(std::span<const PairForce> forces) const
 {
   ToolForces result;
+  const ContactPair *counted = nullptr;
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    ToolForce &tool = result[pairs_[i].tool];
+    const ContactPair &pair = pairs_[i];
+    ToolForce &tool = result[pair.tool];
     tool.force += forces[i].force;
     tool.normal += forces[i].normal;
-    if (forces[i].status != ContactStatus::open)
-      tool.area += areas_[i];
+    if (forces[i].status == ContactStatus::open ||
+        (counted && counted->node == pair.node && counted->tool == pair.tool))
+      continue;
+    tool.area += areas_[i];
+    counted = &pair;
   }
   return result;
 }

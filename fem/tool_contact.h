@@ -33,10 +33,12 @@ struct ToolForce {
 };
 using ToolForces = std::array<ToolForce, number_of_tools>;
 
-/// A node and a tool that it may touch.
+/// A node and a tool that it may touch, or one face of it: in a hollow edge a
+/// node touches two faces at once.
 struct ContactPair {
   unsigned node = 0;
   Tool tool = die_wall;
+  unsigned face = 0;
 };
 
 /// What a pair does in a trial.
@@ -57,9 +59,10 @@ struct PairForce {
 /// within a step with augment(). Friction by return mapping. A node that leaves
 /// a tool is free. Die and core end at the rim, the height of the uppermost
 /// wall node at the start. A node that begins an increment above it is let go
-/// for good: its force fades over the next half element, as the faces next to
-/// it leave the wall. Source: J. C. Simo and T. A. Laursen (1992), An augmented
-/// Lagrangian treatment of contact problems involving friction.
+/// for good: its force fades, from all of it, until half an element above the
+/// rim, as the faces next to it leave the wall. Source: J. C. Simo and T. A.
+/// Laursen (1992), An augmented Lagrangian treatment of contact problems
+/// involving friction.
 class ToolContact
 {
 public:
@@ -107,7 +110,8 @@ public:
 
   /// Forces of the accepted state.
   const std::vector<PairForce> &accepted() const { return accepted_; }
-  /// Area of the powder's surface that belongs to a pair, accepted [m2].
+  /// Area of the powder's surface that belongs to a pair, with all faces of its
+  /// tool, accepted [m2].
   double area(std::size_t pair) const { return areas_[pair]; }
 
   /// Mean height of the elements along the die wall, accepted [m].
@@ -124,6 +128,7 @@ private:
   Approach approach(std::size_t pair,
                     const NodePositions &positions,
                     const ToolPositions &tools) const;
+  double fading_way(std::size_t pair) const;
   PairForce fading(std::size_t pair,
                    const NodePositions &positions,
                    const ToolPositions &tools) const;
@@ -136,9 +141,10 @@ private:
   Tools tools_;
   std::vector<ContactPair> pairs_;
   std::vector<PairForce> accepted_;
-  std::vector<char> released_;        ///< has passed the rim, per pair
-  std::vector<PairForce> at_release_; ///< forces there
-  double element_height_ = 0;         ///< [m]
+  std::vector<char> released_;          ///< has passed the rim, per pair
+  std::vector<PairForce> at_release_;   ///< forces there
+  std::vector<double> release_heights_; ///< above the rim, there [m]
+  double element_height_ = 0;           ///< [m]
   double rim_ = -std::numeric_limits<double>::infinity(); ///< z at start [m]
   double margin_ = 0;                                     ///< [m]
   double touch_ = 0; ///< a node this near touches a tool [m]

@@ -51,16 +51,38 @@ ToolSurface ToolSurface::extruded(Profile profile, double rim)
   return {Kind::extruded, std::move(profile), rim};
 }
 
-SurfacePoint ToolSurface::nearest(const Vector &position) const
+Profile::Point ToolSurface::flat(const Vector &position) const
 {
-  return kind_ == Kind::revolved ? nearest_revolved(position)
-                                 : nearest_extruded(position);
+  return kind_ == Kind::revolved
+             ? Profile::Point(
+                   {std::hypot(position[0], position[1]), position[2]})
+             : Profile::Point({position[0], position[1]});
 }
 
-SurfacePoint ToolSurface::nearest_revolved(const Vector &position) const
+SurfacePoint ToolSurface::spatial(const Vector &position,
+                                  const ProfilePoint &point) const
+{
+  return kind_ == Kind::revolved ? revolved_point(position, point)
+                                 : extruded_point(position, point);
+}
+
+SurfacePoint ToolSurface::nearest(const Vector &position) const
+{
+  return spatial(position, profile_.nearest(flat(position)));
+}
+
+SurfacePoint ToolSurface::nearest(const Vector &position, unsigned face) const
+{
+  const ProfilePoint point = profile_.nearest(flat(position), face);
+  if (std::isinf(point.distance))
+    return {point.distance, {}, {}};
+  return spatial(position, point);
+}
+
+SurfacePoint ToolSurface::revolved_point(const Vector &position,
+                                         const ProfilePoint &point) const
 {
   const double r = std::hypot(position[0], position[1]);
-  const ProfilePoint point = profile_.nearest(Profile::Point({r, position[2]}));
   const double radial = point.normal[0], axial = point.normal[1];
   // Near the axis of a smooth face both numbers are small, and radial / r is
   // the curvature but for rounding.
@@ -83,10 +105,9 @@ SurfacePoint ToolSurface::nearest_revolved(const Vector &position) const
   return result;
 }
 
-SurfacePoint ToolSurface::nearest_extruded(const Vector &position) const
+SurfacePoint ToolSurface::extruded_point(const Vector &position,
+                                         const ProfilePoint &point) const
 {
-  const ProfilePoint point =
-      profile_.nearest(Profile::Point({position[0], position[1]}));
   const double above = position[2] - rim_;
   const Vector side({point.normal[0], point.normal[1], 0});
   const Vector up({0, 0, 1});

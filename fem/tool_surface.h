@@ -38,12 +38,25 @@ public:
 
   SurfacePoint nearest(const dealii::Tensor<1, 3> &position) const;
 
+  /// Faces between sharp hollow edges, and one of them alone: see
+  /// Profile::nearest().
+  unsigned faces() const { return profile_.faces(); }
+  SurfacePoint nearest(const dealii::Tensor<1, 3> &position,
+                       unsigned face) const;
+
 private:
   enum class Kind { revolved, extruded };
   ToolSurface(Kind kind, Profile profile, double rim);
 
-  SurfacePoint nearest_revolved(const dealii::Tensor<1, 3> &position) const;
-  SurfacePoint nearest_extruded(const dealii::Tensor<1, 3> &position) const;
+  /// In the plane of the profile.
+  Profile::Point flat(const dealii::Tensor<1, 3> &position) const;
+  /// What the profile's answer means in space.
+  SurfacePoint spatial(const dealii::Tensor<1, 3> &position,
+                       const ProfilePoint &point) const;
+  SurfacePoint revolved_point(const dealii::Tensor<1, 3> &position,
+                              const ProfilePoint &point) const;
+  SurfacePoint extruded_point(const dealii::Tensor<1, 3> &position,
+                              const ProfilePoint &point) const;
 
   Kind kind_;
   Profile profile_;

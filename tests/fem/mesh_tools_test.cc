@@ -225,6 +225,27 @@ TEST(MeshTools, InSpaceCylindersAndRectanglesAreFound)
   }
 }
 
+TEST(MeshTools, InSpaceARoundedRectangleIsFound)
+{
+  // A quarter of 12 mm x 10 mm whose corner has a radius of 2 mm.
+  Line outline{{6e-3, 0}, {6e-3, 3e-3}};
+  for (const double degrees : {22.5, 45., 90.}) {
+    const double angle = degrees * std::numbers::pi / 180;
+    outline.push_back(
+        {4e-3 + 2e-3 * std::cos(angle), 3e-3 + 2e-3 * std::sin(angle)});
+  }
+  outline.push_back({0, 5e-3});
+  Mesh mesh = prism(outline, false, 7e-3);
+  const ToolSurfaces tools = tools_of_mesh(mesh);
+  constexpr double tolerance = 1e-14; // rounding in the radius of the arc
+  EXPECT_NEAR(distance(tools, die_wall, 5.9e-3, 1e-3, 2e-3), 1e-4, tolerance);
+  EXPECT_NEAR(distance(tools, die_wall, 1e-3, 5.1e-3, 2e-3), -1e-4, tolerance);
+  // 3-4-5 from the middle of the arc.
+  EXPECT_NEAR(distance(tools, die_wall, 4.9e-3, 4.2e-3, 2e-3), 5e-4, tolerance);
+  mesh.nodes[2][0] += 1e-4;
+  EXPECT_NE(complaint(mesh), "");
+}
+
 TEST(MeshTools, OtherShapesAreRefusedByName)
 {
   const auto expect = [](const std::string &beginning, const Mesh &mesh) {
