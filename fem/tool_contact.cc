@@ -21,6 +21,10 @@ constexpr double normal_stiffness = 1e3;
 constexpr double stick_stiffness = 10;
 /// A node nearer to a tool than this share of the mesh touches it.
 constexpr double touching = 1e-10;
+/// Such a node is in contact without a force only if it is nearer than this
+/// share of that: rounding. Further off, a node that is pulled away would be
+/// held by a stiffness that has no force, and equilibrium not be found.
+constexpr double resting = 1e-4;
 /// In an increment the wall goes on above the rim, and what is nearer to the
 /// rim than this share of the mesh sees the wall below it.
 constexpr double rim_margin = 1e-2;
@@ -181,7 +185,7 @@ ToolContact::Approach ToolContact::approach(std::size_t pair,
                   normal_stiffness * stiffness_[pair] * result.surface.distance;
   result.touches =
       !released_[pair] &&
-      result.normal >= -normal_stiffness * stiffness_[pair] * touch_;
+      result.normal >= -normal_stiffness * stiffness_[pair] * resting * touch_;
   result.normal = std::max(result.normal, 0.);
   if (!result.touches)
     return result;
