@@ -21,6 +21,10 @@ constexpr double normal_stiffness = 1e3;
 constexpr double stick_stiffness = 10;
 /// A node nearer to a tool than this share of the mesh touches it.
 constexpr double touching = 1e-10;
+/// Such a node is in contact without a force only if it is nearer than this
+/// share of that: rounding. Further off, a node that is pulled away would be
+/// held by a stiffness that has no force, and equilibrium not be found.
+constexpr double resting = 1e-4;
 /// In an increment the wall goes on above the rim, and what is nearer to the
 /// rim than this share of the mesh sees the wall below it.
 constexpr double rim_margin = 1e-2;
@@ -88,6 +92,7 @@ Vector ToolContact::below_rim(Vector place, Tool tool) const
 
 struct ToolContact::Approach {
   SurfacePoint surface;
+  bool below_rim = true; ///< no: the surface seen is that at the rim
   bool touches = false;
   double normal = 0; ///< force [N]
   Vector motion;     ///< of the node relative to the tool since the start [m]
@@ -176,12 +181,14 @@ ToolContact::Approach ToolContact::approach(std::size_t pair,
   Vector place = positions[node];
   place[2] -= tools[tool];
   Approach result;
-  result.surface = tools_.surfaces[tool]->nearest(below_rim(place, tool), face);
+  const Vector seen = below_rim(place, tool);
+  result.below_rim = seen == place;
+  result.surface = tools_.surfaces[tool]->nearest(seen, face);
   result.normal = multipliers_[pair] -
                   normal_stiffness * stiffness_[pair] * result.surface.distance;
   result.touches =
       !released_[pair] &&
-      result.normal >= -normal_stiffness * stiffness_[pair] * touch_;
+      result.normal >= -normal_stiffness * stiffness_[pair] * resting * touch_;
   result.normal = std::max(result.normal, 0.);
   if (!result.touches)
     return result;
@@ -271,22 +278,26 @@ Matrix ToolContact::stiffness(std::size_t pair,
   }
   const Approach now = approach(pair, positions, tools);
   const Vector &n = now.surface.normal;
-  const Matrix H(now.surface.normal_gradient);
+  // Above the rim neither distance nor normal changes along z.
+  Matrix seen = identity();
+  seen[2][2] = now.below_rim ? 1 : 0;
+  const Matrix H = Matrix(now.surface.normal_gradient) * seen;
   const double epsilon = normal_stiffness * stiffness_[pair];
   const double stick = stick_stiffness * stiffness_[pair];
-  const Matrix nn = dealii::outer_product(n, n);
   // - d (N n), - d trial with trial = (I - n n) (T_n - k motion)
-  const Matrix normal = epsilon * nn - now.normal * H;
+  const Matrix normal =
+      epsilon * dealii::outer_product(n, seen * n) - now.normal * H;
   const Vector pull = accepted_[pair].friction - stick * now.motion;
-  const Matrix trial = stick * (identity() - nn) + (n * pull) * H +
-                       dealii::outer_product(n, H * pull);
+  const Matrix trial = stick * (identity() - dealii::outer_product(n, n)) +
+                       (n * pull) * H + dealii::outer_product(n, pull * H);
   if (force.status == ContactStatus::stick)
     return normal + trial;
   if (!(now.limit > 0))
     return normal;
   const double size = now.trial.norm();
   const Vector t = now.trial / size;
-  return normal + epsilon * now.limit_slope * dealii::outer_product(t, n) +
+  return normal +
+         epsilon * now.limit_slope * dealii::outer_product(t, seen * n) +
          (now.limit / size) *
              ((identity() - dealii::outer_product(t, t)) * trial);
 }

@@ -115,30 +115,6 @@ TEST(DieModel, ForcesBalanceInEveryStepWithFriction)
   }
 }
 
-TEST(DieModel, PressureFallsAlongTheWallAsJanssenSays)
-{
-  DieSettings settings = default_settings();
-  settings.geometry.radial_elements = 8;
-  settings.geometry.axial_elements = 24;
-  settings.friction[die_wall] = FrictionCoefficient(0.2);
-  settings.solver.method = NonlinearMethod::newton;
-  settings.stages = {{StageKind::press, StageTarget::displacement, 5e-5}};
-  Trip run(settings);
-  ASSERT_EQ(run.finish(), Advance::finished);
-  const StepRecord &last = run.records.back();
-  // The wall stress that is there, as the slab wants it: k of the elastic law
-  // holds for the means only.
-  const double mean_axial =
-      0.5 * (last.upper_force + last.lower_force) / last.punch_area;
-  const double k = last.wall_normal_force / last.wall_area / mean_axial;
-  EXPECT_NEAR(k, 0.25, 0.02);
-  const double height_over_diameter =
-      settings.geometry.fill_height / (2 * settings.geometry.radius);
-  EXPECT_NEAR(last.lower_force / last.upper_force,
-              std::exp(-4 * 0.2 * k * height_over_diameter),
-              0.02);
-}
-
 TEST(DieModel, PressesUnloadsAndEjects)
 {
   DieSettings settings = default_settings();
