@@ -54,7 +54,7 @@ TEST(FieldOutput, FileHoldsOneCellAPointWithAllFields)
   const Pressed pressed;
   const auto folder = std::filesystem::temp_directory_path();
   std::vector<double> extra(pressed.mesh.number_of_points(), 7.);
-  pressed.model.write_fields(folder, "tamp_fields", {{"extra", extra}});
+  pressed.model.write_fields(folder, "tamp_fields", {{"extra", extra, {}}});
   const auto file = folder / "tamp_fields.vtu";
   ASSERT_TRUE(std::filesystem::exists(file));
   EXPECT_FALSE(std::filesystem::exists(folder / "tamp_fields.vtu.part"));
@@ -130,10 +130,9 @@ TEST(FieldOutput, ContactPressureIsTheStressAtTheTools)
     const double expected = stress(punch ? "stress_zz" : "stress_rr");
     // The state is uniform, the equilibrium that of the force tolerance.
     const bool corner = std::min(z, fill - closed - z) < 0.24 * fill;
-    if (punch)
+    if (punch || !corner) {
       EXPECT_NEAR(pressure->GetTuple1(i) / expected, 1, 2e-3) << r << ' ' << z;
-    else if (!corner)
-      EXPECT_NEAR(pressure->GetTuple1(i) / expected, 1, 2e-3) << r << ' ' << z;
+    }
     at_punches += punch;
     at_wall += wall && !punch && !corner;
   }
@@ -171,11 +170,11 @@ TEST(FieldOutput, LawsSayWhatTheirPointsHold)
   EXPECT_NEAR(value("plastic_volumetric_strain"),
               state.plastic_compaction - start,
               1e-6);
-  // All compaction is plastic but for a few thousandths.
-  EXPECT_NEAR(value("plastic_volumetric_strain"),
-              std::log(value("relative_density") /
-                       law.initial_state().relative_density),
-              5e-3);
+  // Part of the compaction is elastic.
+  EXPECT_GT(value("plastic_volumetric_strain"), 0.01);
+  EXPECT_LT(value("plastic_volumetric_strain"),
+            std::log(value("relative_density") /
+                     law.initial_state().relative_density));
   EXPECT_EQ(value("active_surface"),
             static_cast<double>(DruckerPragerCap::Surface::cap));
   EXPECT_NEAR(
