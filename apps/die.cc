@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <apps/cell_remarks.h>
 #include <apps/commands.h>
+#include <apps/die_maps.h>
 #include <apps/die_output.h>
+#include <apps/die_plots.h>
 #include <apps/die_results.h>
 #include <apps/interrupt.h>
 #include <apps/mpi_run.h>
-#include <apps/plots.h>
 #include <apps/recorded_points.h>
 #include <apps/run_material.h>
 #include <apps/schedule.h>
-#include <apps/section_map.h>
 #include <apps/units.h>
 #include <fem/die_model.h>
+#include <fem/stop_watch.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/tensor.h>
@@ -79,7 +80,11 @@ public:
       throw;
     }
     give();
-    draw();
+    {
+      const fem::StopWatch watch(time_plots_);
+      draw();
+    }
+    session_.result("time_plots[s]", time_plots_);
     return end;
   }
 
@@ -99,10 +104,10 @@ private:
         settings_.stages.size(),
         ranks_.size() > 1 ? fmt::format(", on {} ranks", ranks_.size()) : ""));
     take_step();
-    output_.write(0, true);
+    write_output(0, true);
     const RunEnd end = advance();
     log.end();
-    output_.write(model_.last_step().step, true);
+    write_output(model_.last_step().step, true);
     return end;
   }
 
@@ -120,10 +125,16 @@ private:
         return {exit_not_converged, describe(model_.failure())};
       case fem::Advance::stepped:
         take_step();
-        output_.write(model_.last_step().step,
-                      model_.last_step().stage_progress >= 1);
+        write_output(model_.last_step().step,
+                     model_.last_step().stage_progress >= 1);
       }
     }
+  }
+
+  void write_output(unsigned step, bool must)
+  {
+    const fem::StopWatch watch(time_output_);
+    output_.write(step, must);
   }
 
   std::vector<std::string> remarks() const
@@ -135,12 +146,12 @@ private:
     return lines;
   }
 
-  StageKind kind(unsigned stage) const
+  const fem::Stage &stage_at(unsigned number) const
   {
     return settings_
-        .stages[std::min<std::size_t>(stage, settings_.stages.size() - 1)]
-        .kind;
+        .stages[std::min<std::size_t>(number, settings_.stages.size() - 1)];
   }
+  StageKind kind(unsigned number) const { return stage_at(number).kind; }
 
   // The direction of loading turns: what cells learnt of it is of no use, and
   // forces that are small against those of the peak need no perfect balance.
@@ -174,14 +185,12 @@ private:
     }
     if (curve_)
       curve_->write(die_values(record, effort));
-    results_.take(record, kind(record.stage), effort);
+    results_.take(record, stage_at(record.stage), effort);
     output_.write_point_lines();
     if (material_.cells)
       judge_cells(record);
-    if (kind(record.stage) == StageKind::press)
-      map_ = section_map(mesh_, model_, [](const fem::Response &response) {
-        return response.relative_density;
-      });
+    if (results_.at_peak())
+      maps_.take_peak(mesh_, model_);
     session_.log().step(
         share(record), record.step, "steps", line(record, effort));
   }
@@ -229,7 +238,7 @@ private:
                    const StepEffort &effort) const
   {
     const auto mega = [](double force, double area) {
-      return area > 0 ? force / area / 1e6 : 0;
+      return area > 0 ? force / area / 1e6 + 0. : 0;
     };
     std::string text = fmt::format(
         "step {:4d}  {:<6} density {:.4f}  upper {:.4g}  lower {:.4g}  wall "
@@ -259,13 +268,13 @@ private:
 
   std::string describe(const fem::Failure &failure) const
   {
+    if (failure.kind == fem::FailureKind::impossible)
+      return failure.reason;
     const auto &stress = failure.stress;
     return fmt::format(
         "the step after step {} ({}) did not converge: {}. Worst is point {} "
         "at r = {:.4g} mm, z = {:.4g} mm with stress rr {:.4g}, tt {:.4g}, zz "
-        "{:.4g}, rz {:.4g} MPa (compression positive). Smaller steps "
-        "(Solver/Maximum step), a higher Packing/Pressure or more grains may "
-        "help",
+        "{:.4g}, rz {:.4g} MPa (compression positive). {} may help",
         model_.last_step().step,
         name_of(kind(stage_)),
         reason(failure),
@@ -275,7 +284,10 @@ private:
         (0 - stress[0][0]) / 1e6,
         (0 - stress[1][1]) / 1e6,
         (0 - stress[2][2]) / 1e6,
-        (0 - stress[0][2]) / 1e6);
+        (0 - stress[0][2]) / 1e6,
+        material_.cells ? "Smaller steps (Solver/Maximum step), a higher "
+                          "Packing/Pressure or more grains"
+                        : "Smaller steps (Solver/Maximum step)");
   }
 
   std::string reason(const fem::Failure &failure) const
@@ -290,26 +302,29 @@ private:
   {
     results_.give(session_);
     cell_remarks_.give();
+    session_.heading("Time, share of the run");
     const fem::ModelTimes times = model_.times();
     session_.result("time_material[s]", times.material);
     session_.result("time_assembly[s]", times.assembly);
     session_.result("time_contact[s]", times.contact);
     session_.result("time_linear_solver[s]", times.linear_solver);
     session_.result("time_model[s]", times.total);
+    session_.result("time_output[s]", time_output_);
   }
 
   void draw()
   {
+    maps_.take_end(mesh_, model_);
     if (!session_.plots())
       return;
     const auto folder = session_.folder().subfolder("plots");
-    write_map(folder / "density_map.dat", map_);
-    std::vector<unsigned> press_stages;
-    for (unsigned i = 0; i < settings_.stages.size(); ++i)
-      if (kind(i) == StageKind::press)
-        press_stages.push_back(i + 1);
+    if (!maps_.empty())
+      maps_.write(folder);
+    DiePlotFacts facts =
+        plot_facts(settings_, results_.peak(), model_.last_step());
+    facts.maps = !maps_.empty();
     const std::string problem = draw_plots(
-        folder, die_plots(press_stages), session_.input().output.plot_formats);
+        folder, die_plots(facts), session_.input().output.plot_formats);
     if (!problem.empty())
       session_.log().warn(problem);
   }
@@ -327,7 +342,8 @@ private:
   unsigned stage_ = 0;
   DieResults results_;
   CellRemarks cell_remarks_{session_, "point", mesh_.number_of_points()};
-  std::vector<ValueQuadrilateral> map_;
+  DieMaps maps_;
+  double time_output_ = 0, time_plots_ = 0; ///< [s]
 };
 
 void warn_of_loose_cells(RunSession &session)

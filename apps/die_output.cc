@@ -2,7 +2,6 @@
 #include <apps/cell_columns.h>
 #include <apps/die_output.h>
 #include <coupling/grain_output.h>
-#include <dem/measures.h>
 
 #include <fmt/format.h>
 #include <numeric>
@@ -11,26 +10,6 @@ namespace tamp::apps
 {
 namespace
 {
-std::vector<fem::PointField> cell_fields(const coupling::UnitCellPoints &cells)
-{
-  std::vector<fem::PointField> fields{{"coordination_number", {}},
-                                      {"mechanical_coordination_number", {}},
-                                      {"plastic_contact_share", {}},
-                                      {"sliding_contact_share", {}}};
-  for (std::size_t point = 0; point < cells.size(); ++point) {
-    const dem::CellMeasures measures = dem::measure(cells.cell(point));
-    const double contacts =
-        static_cast<double>(std::max<std::size_t>(1, measures.contacts));
-    fields[0].values.push_back(measures.coordination_number);
-    fields[1].values.push_back(measures.mechanical_coordination_number);
-    fields[2].values.push_back(static_cast<double>(measures.plastic_contacts) /
-                               contacts);
-    fields[3].values.push_back(static_cast<double>(measures.sliding_contacts) /
-                               contacts);
-  }
-  return fields;
-}
-
 std::vector<std::string> point_header()
 {
   std::vector<std::string> names{"step", "stage"};
@@ -112,8 +91,7 @@ void DieOutput::write_fields(unsigned step)
   const std::string name = fmt::format("step_{:04d}", step);
   model_.write_fields(session_.folder().subfolder("fields"),
                       name,
-                      cells_ ? cell_fields(*cells_)
-                             : std::vector<fem::PointField>());
+                      fem::variable_fields(points_));
   fields_.add(step, 0, "fields/" + name + ".vtu");
   last_fields_ = step;
 }

@@ -14,6 +14,12 @@ double ratio(double part, double whole)
   return std::abs(whole) > 0 ? part / whole : 0;
 }
 
+double force_of(fem::Pressing pressing, const fem::StepRecord &record)
+{
+  return pressing == fem::Pressing::lower ? record.lower_force
+                                          : record.upper_force;
+}
+
 // upper - lower - wall friction, over the largest force of a tool, which counts
 // as at least a small share of the peak: nothing presses a compact that is out.
 double imbalance(const fem::StepRecord &record, double peak)
@@ -50,37 +56,46 @@ std::vector<std::string> die_header()
           "force_residual[-]",
           "worst_unbalance[-]",
           "worst_hill_mandel[-]",
-          "wall_time[s]"};
+          "wall_time[s]",
+          "die_displacement[m]",
+          "compact_height[m]",
+          "compact_radius[m]"};
 }
 
 std::vector<double> die_values(const fem::StepRecord &record,
                                const StepEffort &effort)
 {
-  return {static_cast<double>(record.step),
-          static_cast<double>(record.stage + 1),
-          record.upper_displacement,
-          record.lower_displacement,
-          record.upper_force,
-          record.lower_force,
-          record.wall_friction_force,
-          record.wall_normal_force,
-          ratio(record.upper_force, record.punch_area),
-          ratio(record.lower_force, record.punch_area),
-          ratio(record.wall_normal_force, record.wall_area),
-          record.mean_relative_density,
-          record.minimum_relative_density,
-          record.maximum_relative_density,
-          static_cast<double>(record.iterations),
-          static_cast<double>(record.material_updates),
-          effort.evaluations,
-          record.force_residual,
-          effort.worst_unbalance,
-          effort.worst_hill_mandel,
-          effort.wall_time};
+  std::vector<double> values{static_cast<double>(record.step),
+                             static_cast<double>(record.stage + 1),
+                             record.upper_displacement,
+                             record.lower_displacement,
+                             record.upper_force,
+                             record.lower_force,
+                             record.wall_friction_force,
+                             record.wall_normal_force,
+                             ratio(record.upper_force, record.punch_area),
+                             ratio(record.lower_force, record.punch_area),
+                             ratio(record.wall_normal_force, record.wall_area),
+                             record.mean_relative_density,
+                             record.minimum_relative_density,
+                             record.maximum_relative_density,
+                             static_cast<double>(record.iterations),
+                             static_cast<double>(record.material_updates),
+                             effort.evaluations,
+                             record.force_residual,
+                             effort.worst_unbalance,
+                             effort.worst_hill_mandel,
+                             effort.wall_time,
+                             record.die_displacement,
+                             record.compact_height,
+                             record.compact_radius};
+  for (double &value : values)
+    value += 0.; // nobody wants to read -0
+  return values;
 }
 
 void DieResults::take(const fem::StepRecord &record,
-                      fem::StageKind kind,
+                      const fem::Stage &stage,
                       const StepEffort &effort)
 {
   if (!started_)
@@ -95,54 +110,107 @@ void DieResults::take(const fem::StepRecord &record,
   doubtful_points_ += record.doubtful_points;
   doubtful_steps_ += record.doubtful_points > 0;
   evaluations_ += effort.evaluations;
-  worst_balance_ =
-      std::max(worst_balance_, imbalance(record, peak_.upper_force));
+  take_peak(record, stage);
+  worst_balance_ = std::max(
+      worst_balance_,
+      imbalance(record, std::max(peak_.upper_force, peak_.lower_force)));
   worst_unbalance_ = std::max(worst_unbalance_, effort.worst_unbalance);
   worst_hill_mandel_ = std::max(worst_hill_mandel_, effort.worst_hill_mandel);
-  if (record.upper_force > peak_.upper_force)
-    peak_ = record;
-  if (kind == fem::StageKind::unload) {
+  if (stage.kind == fem::StageKind::unload) {
     unloaded_ = true;
     residual_wall_pressure_ = ratio(record.wall_normal_force, record.wall_area);
-    unloaded_height_change_ =
-        peak_.upper_displacement - record.upper_displacement;
+    unloaded_height_change_ = record.compact_height - peak_.compact_height;
   }
-  if (kind == fem::StageKind::eject) {
+  if (stage.kind == fem::StageKind::eject) {
     ejecting_ = true;
-    ejection_force_ = std::max(ejection_force_, record.lower_force);
+    if (record.stage_progress > 0) // else the upper punch still leaves
+      ejection_force_ = std::max(ejection_force_, record.lower_force);
+    out_ = stage.target == fem::StageTarget::out && record.stage_progress >= 1;
   }
+}
+
+void DieResults::take_peak(const fem::StepRecord &record,
+                           const fem::Stage &stage)
+{
+  if (stage.kind == fem::StageKind::press)
+    pressing_ = stage.pressing;
+  else if (stage.kind != fem::StageKind::hold)
+    return;
+  if (force_of(pressing_, record) <= force_of(peak_by_, peak_))
+    return;
+  peak_ = record;
+  peak_by_ = pressing_;
 }
 
 void DieResults::give(RunSession &session) const
 {
+  give_pressing(session);
+  give_end(session);
+  give_effort(session);
+}
+
+void DieResults::give_pressing(RunSession &session) const
+{
   const auto pressure = [](double force, const fem::StepRecord &record) {
     return ratio(force, record.punch_area);
   };
-  session.result("steps[-]", steps_);
-  session.result("cut_attempts[-]", cuts_);
+  session.heading("Pressing");
   session.result("start_relative_density[-]", start_.mean_relative_density);
   session.result("start_pressure[Pa]", pressure(start_.upper_force, start_));
   session.result("peak_upper_force[N]", peak_.upper_force);
+  session.result("peak_lower_force[N]", peak_.lower_force);
   session.result("peak_upper_pressure[Pa]", pressure(peak_.upper_force, peak_));
   session.result("peak_lower_pressure[Pa]", pressure(peak_.lower_force, peak_));
   session.result("peak_wall_pressure[Pa]",
                  ratio(peak_.wall_normal_force, peak_.wall_area));
   session.result("transmission_at_peak[-]",
-                 ratio(peak_.lower_force, peak_.upper_force));
+                 peak_by_ == fem::Pressing::lower
+                     ? ratio(peak_.upper_force, peak_.lower_force)
+                     : ratio(peak_.lower_force, peak_.upper_force));
+  session.result("height_at_peak[m]", peak_.compact_height);
   session.result("mean_relative_density_at_peak[-]",
                  peak_.mean_relative_density);
   session.result("minimum_relative_density_at_peak[-]",
                  peak_.minimum_relative_density);
   session.result("maximum_relative_density_at_peak[-]",
                  peak_.maximum_relative_density);
+}
+
+void DieResults::give_end(RunSession &session) const
+{
   if (unloaded_) {
+    session.heading("Unloading");
     session.result("residual_wall_pressure_after_unloading[Pa]",
                    residual_wall_pressure_);
     session.result("axial_spring_back[m]", unloaded_height_change_);
   }
-  if (ejecting_)
+  if (ejecting_) {
+    session.heading("Ejection");
     session.result("peak_ejection_force[N]", ejection_force_);
+  }
+  if (out_) {
+    session.result("axial_spring_back_ejected[-]",
+                   ratio(last_.compact_height, peak_.compact_height) - 1);
+    session.result("axial_spring_back_ejected[m]",
+                   last_.compact_height - peak_.compact_height);
+    session.result("radial_spring_back[-]",
+                   ratio(last_.compact_radius, peak_.compact_radius) - 1);
+    session.result("remaining_tool_force[N]",
+                   std::max({std::abs(last_.upper_force),
+                             std::abs(last_.lower_force),
+                             std::abs(last_.wall_normal_force)}));
+  }
+  session.heading("Compact at the end");
   session.result("final_mean_relative_density[-]", last_.mean_relative_density);
+  session.result("final_height[m]", last_.compact_height);
+  session.result("final_radius[m]", last_.compact_radius);
+}
+
+void DieResults::give_effort(RunSession &session) const
+{
+  session.heading("Effort and accuracy");
+  session.result("steps[-]", steps_);
+  session.result("cut_attempts[-]", cuts_);
   session.result("cell_updates_per_step[-]", ratio(updates_, steps_));
   session.result("worst_force_imbalance[-]", worst_balance_);
   session.result("doubtful_points[-]", static_cast<double>(doubtful_points_));
@@ -159,5 +227,4 @@ void DieResults::give(RunSession &session) const
     session.result("worst_hill_mandel[-]", worst_hill_mandel_);
   }
 }
-
 } // namespace tamp::apps

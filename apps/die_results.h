@@ -28,15 +28,28 @@ std::vector<double> die_values(const fem::StepRecord &record,
 class DieResults
 {
 public:
+  /// @param stage  to which the step belongs.
   void take(const fem::StepRecord &record,
-            fem::StageKind kind,
+            const fem::Stage &stage,
             const StepEffort &effort);
   /// Hands all results to the session.
   void give(RunSession &session) const;
 
+  /// The step with the largest force of the punch that presses, of the upper
+  /// one if both do.
+  const fem::StepRecord &peak() const { return peak_; }
+  /// Is the last step taken the peak?
+  bool at_peak() const { return peak_.step == last_.step; }
+
 private:
+  void take_peak(const fem::StepRecord &record, const fem::Stage &stage);
+  void give_pressing(RunSession &session) const;
+  void give_end(RunSession &session) const;
+  void give_effort(RunSession &session) const;
+
   fem::StepRecord start_, peak_, last_;
-  bool started_ = false, unloaded_ = false, ejecting_ = false;
+  bool started_ = false, unloaded_ = false, ejecting_ = false, out_ = false;
+  fem::Pressing pressing_ = fem::Pressing::upper, peak_by_ = pressing_;
   double residual_wall_pressure_ = 0, unloaded_height_change_ = 0;
   double ejection_force_ = 0, worst_balance_ = 0;
   double worst_unbalance_ = 0, worst_hill_mandel_ = 0;
@@ -44,7 +57,6 @@ private:
   unsigned steps_ = 0, updates_ = 0, cuts_ = 0, doubtful_steps_ = 0;
   std::size_t doubtful_points_ = 0;
 };
-
 } // namespace tamp::apps
 
 #endif

@@ -8,8 +8,7 @@ namespace tamp::apps
 {
 namespace
 {
-constexpr std::array<std::string_view, 1> entries{
-    "Output/Checkpoint interval"};
+constexpr std::array<std::string_view, 1> entries{"Output/Checkpoint interval"};
 constexpr std::array<std::string_view, 6> commands{
     "calibrate", "check", "compare", "fit", "inspect", "selftest"};
 } // namespace

@@ -118,83 +118,53 @@ void write_map(const std::filesystem::path &file,
     throw OutputError(fmt::format("'{}' cannot be written", file.string()));
 }
 
-std::vector<Plot> die_plots(const std::vector<unsigned> &press_stages)
+Plot map_plot(const std::string &name,
+              const std::string &table,
+              const std::string &title,
+              const std::string &unit_of_values,
+              Colours colours)
 {
-  std::string pressing = "0";
-  for (const unsigned stage : press_stages)
-    pressing += fmt::format(" || column(\"stage\") == {}", stage);
-  return {
-      {"compaction",
-       R"(set title "Compaction curve"
-set xlabel "mean relative density [-]"
-set ylabel "punch pressure [MPa]"
-set logscale y
-set format y "%g"
-set key left top
-density = "mean_relative_density[-]"
-mega(name) = column(name) > 0 ? column(name) / 1e6 : NaN
-plot "../curve.csv" using (column(density)):(mega("upper_pressure[Pa]")) with lines title "upper punch", \
-     "" using (column(density)):(mega("lower_pressure[Pa]")) with lines dashtype 2 title "lower punch"
-)"},
-      {"pressures",
-       R"(set title "Pressures on the tools"
-set xlabel "step"
-set ylabel "pressure [MPa]"
-set key left top
-plot "../curve.csv" using (column("step")):(column("upper_pressure[Pa]") / 1e6) with lines title "upper punch", \
-     "" using (column("step")):(column("lower_pressure[Pa]") / 1e6) with lines title "lower punch", \
-     "" using (column("step")):(column("wall_pressure[Pa]") / 1e6) with lines title "die wall"
-)"},
-      {"forces",
-       R"(set title "Forces on the powder"
-set xlabel "upper punch displacement [mm]"
-set ylabel "force [kN]"
-set key left top
-travel = "upper_displacement[m]"
-plot "../curve.csv" using (column(travel) * 1e3):(column("upper_force[N]") / 1e3) with lines title "upper punch", \
-     "" using (column(travel) * 1e3):(column("lower_force[N]") / 1e3) with lines title "lower punch", \
-     "" using (column(travel) * 1e3):(column("wall_friction_force[N]") / 1e3) with lines title "wall friction"
-)"},
-      {"transmission",
-       fmt::format(R"(set title "Transmission of the punch force while pressing"
-set xlabel "mean relative density [-]"
-set ylabel "force ratio [-]"
-set key left bottom
-set yrange [0:1.05]
-press(name, by) = ({}) && column(by) > 0 ? column(name) / column(by) : NaN
-plot "../curve.csv" using (column("mean_relative_density[-]")):(press("lower_force[N]", "upper_force[N]")) with lines title "lower / upper punch force", \
-     "" using (column("mean_relative_density[-]")):(press("wall_pressure[Pa]", "upper_pressure[Pa]")) with lines title "wall / upper punch pressure"
-)",
-                   pressing)},
-      {"density_map",
-       R"(set title "Relative density at the end of pressing"
+  const char *palette =
+      colours == Colours::sequential
+          ? R"(set palette defined (0 "#440154", 1 "#482878", 2 "#3e4989", 3 "#31688e", 4 "#26828e", 5 "#1f9e89", 6 "#35b779", 7 "#6ece58", 8 "#b5de2b", 9 "#fde725")
+)"
+          : R"(set palette defined (0 "#67001f", 1 "#b2182b", 2 "#d6604d", 3 "#f4a582", 4 "#fddbc7", 5 "#f7f7f7", 6 "#d1e5f0", 7 "#92c5de", 8 "#4393c3", 9 "#2166ac", 10 "#053061")
+stats table using 3 name "value" nooutput
+most = value_max > -value_min ? value_max : -value_min
+if (most > 0) set cbrange [-most:most]
+)";
+  return {name,
+          fmt::format(R"(table = "{}"
+set title "{}"
 unset datafile
 set datafile separator whitespace
 set xlabel "r [mm]"
 set ylabel "z [mm]"
-set cblabel "relative density [-]"
+set cblabel "{}"
 set size ratio -1
 set autoscale xfix
 set autoscale yfix
-set ytics 1
+stats table using 1 name "radius" nooutput
+decade = radius_max > 0 ? 10 ** floor(log10(radius_max)) : 1
+apart = decade * (radius_max > 4 * decade ? 2 : radius_max > 2 * decade ? 1 : 0.5)
+set xtics apart
+set ytics apart
 set border 0
 unset grid
 unset key
 set pm3d map corners2color c1
-set palette defined (0 "#440154", 1 "#3b528b", 2 "#21918c", 3 "#5ec962", 4 "#fde725")
-set colorbox horizontal user origin screen 0.16, screen 0.16 size screen 0.68, screen 0.03
-set bmargin at screen 0.30
-splot "density_map.dat" using 1:2:3 with pm3d
-)"},
-      {"effort",
-       R"(set title "Iterations and evaluations of all points"
-set xlabel "step"
-set ylabel "number per step [-]"
-set key right top
-set yrange [0:*]
-plot "../curve.csv" using (column("step")):(column("cell_updates[-]")) with steps title "cell updates", \
-     "" using (column("step")):(column("iterations[-]")) with steps title "iterations of the accepted step"
-)"}};
+{}set colorbox horizontal user origin screen 0.21, screen 0.16 size screen 0.68, screen 0.03
+set lmargin at screen 0.17
+set rmargin at screen 0.93
+set tmargin at screen 0.90
+set bmargin at screen 0.32
+# Lines of the same colour close the seams between the parts.
+splot table using 1:2:3 with pm3d, table using 1:2:3 with lines linewidth 1 linecolor palette
+)",
+                      table,
+                      title,
+                      unit_of_values,
+                      palette)};
 }
 
 std::vector<Plot> pack_plots()

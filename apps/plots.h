@@ -34,9 +34,16 @@ struct ValueQuadrilateral {
 void write_map(const std::filesystem::path &file,
                const std::vector<ValueQuadrilateral> &map);
 
-/// Plots of ../curve.csv of a die; `press_stages` are the numbers, from
-/// 1, of the stages that press. The density map needs density_map.dat.
-std::vector<Plot> die_plots(const std::vector<unsigned> &press_stages);
+/// How a map is coloured: an order of values, or values to both sides of zero,
+/// which is white, red below it.
+enum class Colours { sequential, about_zero };
+
+/// The plot `name` of what write_map() wrote into `table`.
+Plot map_plot(const std::string &name,
+              const std::string &table,
+              const std::string &title,
+              const std::string &unit_of_values,
+              Colours colours = Colours::sequential);
 
 /// Plots of ../curve.csv of a pair of grains.
 std::vector<Plot> contact_plots(bool impact);

@@ -39,6 +39,14 @@ public:
     points_.unpack(point, bytes);
   }
   double cost(std::size_t point) const override { return points_.cost(point); }
+  std::vector<fem::Variable> variables() const override
+  {
+    return points_.variables();
+  }
+  void variables_of(std::size_t point, std::span<double> values) const override
+  {
+    points_.variables_of(point, values);
+  }
 
   /// Of the last committed step, one per point; empty before the first.
   const std::vector<fem::Deformation> &last_deformations() const

@@ -245,14 +245,22 @@ std::string RunRecord::summary() const
     row("because", message);
   for (const std::string &warning : warnings)
     row("warning", warning);
-  for (const auto &[name, value] : results) {
+  const double wall_time = wall_seconds(*this);
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    for (const auto &[first, words] : headings)
+      if (first == i)
+        text += fmt::format("\n{}\n", words);
+    const auto &[name, value] = results[i];
     std::string words = name.substr(0, name.find('['));
-    for (char &letter : words)
-      if (letter == '_')
-        letter = ' ';
-    row(words, with_unit(name, value));
+    std::ranges::replace(words, '_', ' ');
+    std::string said = with_unit(name, value);
+    if (name.starts_with("time_") && name.ends_with("[s]") && wall_time > 0)
+      said += fmt::format(" ({:.0f} %)", 100 * value / wall_time);
+    row(words, said);
   }
-  row("wall time", seconds(wall_seconds(*this)));
+  if (!headings.empty())
+    text += "\nRun\n";
+  row("wall time", seconds(wall_time));
   row(ranks > 1 ? "CPU time of the first rank" : "CPU time",
       seconds(cpu_seconds()));
   row("ranks", fmt::format("{}", ranks));

@@ -54,6 +54,9 @@ struct RunRecord {
   std::vector<std::string> warnings; ///< what to mind with the results
   /// Key results with their units, in the order of the summary.
   std::vector<std::pair<std::string, double>> results;
+  /// What parts them in the summary: the number of the first result below a
+  /// heading, and its words.
+  std::vector<std::pair<std::size_t, std::string>> headings;
 
   /// For run.json.
   std::string json() const;

@@ -169,7 +169,12 @@ void RunSession::open_folder(const RunOptions &options)
 
 void RunSession::result(const std::string &name, double value)
 {
-  record_.results.emplace_back(name, value);
+  record_.results.emplace_back(name, value + 0.); // nobody wants to read -0
+}
+
+void RunSession::heading(const std::string &words)
+{
+  record_.headings.emplace_back(record_.results.size(), words);
 }
 
 void RunSession::warn(const std::string &warning)

@@ -75,6 +75,8 @@ public:
   bool plots() const { return plots_; }
   /// Adds a key result, "name[unit]".
   void result(const std::string &name, double value);
+  /// Results from here on stand under this heading in summary.txt.
+  void heading(const std::string &words);
   /// Says a warning that stays in run.json and summary.txt; the same one is
   /// said once.
   void warn(const std::string &warning);

@@ -59,6 +59,23 @@ std::optional<Side> side_on_plane(const fem::Mesh &mesh, std::size_t cell)
   return {};
 }
 
+// Of the points of all ranks.
+std::vector<Vector> all_positions(const fem::DieModel &model)
+{
+  const auto own = model.point_positions();
+  std::vector<Vector> positions;
+  for (unsigned axis = 0; axis < 3; ++axis) {
+    std::vector<double> component;
+    for (const Vector &position : own)
+      component.push_back(position[axis]);
+    const auto all = model.whole(component);
+    positions.resize(all.size());
+    for (std::size_t point = 0; point < all.size(); ++point)
+      positions[point][axis] = all[point];
+  }
+  return positions;
+}
+
 // A whole compact has cells on both sides of the plane: one is enough.
 bool is_behind(const fem::Mesh &mesh, std::size_t cell)
 {
@@ -77,7 +94,11 @@ section_map(const fem::Mesh &mesh,
             const fem::DieModel &model,
             const std::function<double(const fem::Response &)> &value)
 {
-  const std::vector<Vector> positions = model.point_positions();
+  const std::vector<Vector> positions = all_positions(model);
+  std::vector<double> own;
+  for (const fem::Response &response : model.responses())
+    own.push_back(value(response));
+  const std::vector<double> values = model.whole(own);
   const unsigned number = mesh.points_per_cell();
   std::vector<ValueQuadrilateral> map;
   for (std::size_t cell = 0; cell < mesh.number_of_cells(); ++cell) {
@@ -105,7 +126,7 @@ section_map(const fem::Mesh &mesh,
                       corner(a + 1, b),
                       corner(a + 1, b + 1),
                       corner(a, b + 1)},
-                     value(model.responses()[point])});
+                     values[point]});
     }
   }
   return map;

@@ -18,7 +18,7 @@ namespace tamp::apps
 /// plane y = 0 at x >= 0, with the values of the points next to it. Empty if
 /// there are none, as in a whole compact with an odd number of elements across.
 /// The points of an element fix its shape.
-/// @param model  on one rank.
+/// Collective.
 std::vector<ValueQuadrilateral>
 section_map(const fem::Mesh &mesh,
             const fem::DieModel &model,

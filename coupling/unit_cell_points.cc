@@ -8,6 +8,7 @@
 #include <dem/unit_cell_bytes.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstring>
 #include <numeric>
@@ -246,6 +247,30 @@ void UnitCellPoints::unpack(std::size_t i, std::span<const char> bytes)
 double UnitCellPoints::cost(std::size_t i) const
 {
   return points_.at(i).seconds;
+}
+
+std::vector<fem::Variable> UnitCellPoints::variables() const
+{
+  return {{"coordination_number", "-", "contacts per grain"},
+          {"mechanical_coordination_number",
+           "-",
+           "contacts per grain that carries load"},
+          {"plastic_contact_share", "-", "of all contacts"},
+          {"sliding_contact_share", "-", "of all contacts"}};
+}
+
+void UnitCellPoints::variables_of(std::size_t point,
+                                  std::span<double> values) const
+{
+  const dem::CellMeasures measures = dem::measure(cell(point));
+  const auto contacts =
+      static_cast<double>(std::max<std::size_t>(1, measures.contacts));
+  const std::array<double, 4> now{
+      measures.coordination_number,
+      measures.mechanical_coordination_number,
+      static_cast<double>(measures.plastic_contacts) / contacts,
+      static_cast<double>(measures.sliding_contacts) / contacts};
+  std::ranges::copy(now, values.begin());
 }
 
 const CellReport &UnitCellPoints::report() const

@@ -55,6 +55,8 @@ public:
   void pack(std::size_t point, std::vector<char> &bytes) const override;
   void unpack(std::size_t point, std::span<const char> bytes) override;
   double cost(std::size_t point) const override;
+  std::vector<fem::Variable> variables() const override;
+  void variables_of(std::size_t point, std::span<double> values) const override;
 
   /// Forgets extrapolations, secants and predictors: call when the direction
   /// of loading turns.

@@ -59,6 +59,21 @@ Extent extent(const NodePositions &positions)
 }
 } // namespace
 
+std::vector<PointField> variable_fields(const MaterialPoints &points)
+{
+  std::vector<PointField> fields;
+  for (const Variable &variable : points.variables())
+    fields.push_back(
+        {variable.name, {}, "[" + variable.unit + "] " + variable.meaning});
+  std::vector<double> values(fields.size());
+  for (std::size_t point = 0; point < points.size(); ++point) {
+    points.variables_of(point, values);
+    for (std::size_t i = 0; i < fields.size(); ++i)
+      fields[i].values.push_back(values[i]);
+  }
+  return fields;
+}
+
 struct DieModel::Implementation {
   DieSettings settings;
   const Mesh &mesh;
@@ -159,6 +174,7 @@ struct DieModel::Implementation {
     state.mean_density = density.mean;
     record.upper_displacement = state.upper_displacement;
     record.lower_displacement = state.lower_displacement;
+    record.die_displacement = state.die_displacement;
     record.upper_force = state.force[upper_punch];
     record.lower_force = whole * forces[lower_punch].force[2];
     record.wall_friction_force =
@@ -291,6 +307,7 @@ struct DieModel::Implementation {
       }
       if (const auto reason = schedule.impossible(state)) {
         remember_failure({}, *reason);
+        failure.kind = FailureKind::impossible;
         return Advance::failed;
       }
       if (const auto proposal = schedule.propose(state))

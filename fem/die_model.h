@@ -21,6 +21,7 @@ struct StepRecord {
   unsigned stage = 0;             ///< index in the schedule, from 0
   double upper_displacement = 0;  ///< of the upper punch, downwards [m]
   double lower_displacement = 0;  ///< of the lower punch, upwards [m]
+  double die_displacement = 0;    ///< of the die, upwards [m]
   double upper_force = 0;         ///< powder on upper punch, upwards [N]
   double lower_force = 0;         ///< lower punch on powder, upwards [N]
   double wall_friction_force = 0; ///< wall on powder, upwards [N]
@@ -42,9 +43,15 @@ struct StepRecord {
   double stage_progress = 0; ///< 0 to 1
 };
 
+enum class FailureKind {
+  not_converged, ///< a step found no equilibrium
+  impossible     ///< the schedule asks for what cannot be done
+};
+
 /// Why and where a run could not go on. Position and stress are those of the
 /// last accepted state.
 struct Failure {
+  FailureKind kind = FailureKind::not_converged;
   std::string reason;
   std::size_t point = 0;
   dealii::Tensor<1, 3> position;        ///< y = 0 if axisymmetric [m]
@@ -57,7 +64,11 @@ enum class Advance { stepped, finished, failed };
 struct PointField {
   std::string name;
   std::vector<double> values;
+  std::string meaning; ///< with its unit, for the comment of the file
 };
+
+/// The variables of all points in their committed state.
+std::vector<PointField> variable_fields(const MaterialPoints &points);
 
 /// Seconds spent since the start, by part.
 struct ModelTimes {

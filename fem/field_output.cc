@@ -171,18 +171,24 @@ std::string vtu(const Press &press, const Values &values)
   return text.str();
 }
 
-std::string with_units(const std::string &vtu, bool axisymmetric)
+std::string with_units(const std::string &vtu,
+                       bool axisymmetric,
+                       const std::vector<PointField> &extra)
 {
   const std::string place =
       axisymmetric ? "Half section of a compact: x = r, y = z [m]; "
                      "stress_rr radial, tt hoop, zz axial."
                    : "A compact; z is the pressing axis [m].";
-  const std::string units =
+  std::string units =
       "<!-- " + place +
       " displacement [m] since the start;\n"
       "     stress_*, pressure, contact_pressure [Pa], compression positive; "
       "deviatoric_stress: von Mises [Pa];\n     contact_slip [m] in the last "
-      "step; relative_density [-]. One part of a cell a material point. -->\n";
+      "step; relative_density [-]. One part of a cell a material point.";
+  for (const PointField &field : extra)
+    if (!field.meaning.empty())
+      units += "\n     " + field.name + " " + field.meaning + ".";
+  units += " -->\n";
   const std::size_t line = vtu.find('\n');
   return vtu.substr(0, line + 1) + units + vtu.substr(line + 1);
 }
@@ -229,6 +235,7 @@ void write_compact(const std::filesystem::path &file,
   replace_file(
       file,
       with_units(axisymmetric ? vtu<2>(press, values) : vtu<3>(press, values),
-                 axisymmetric));
+                 axisymmetric,
+                 extra));
 }
 } // namespace tamp::fem

@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace tamp::fem
@@ -36,6 +37,13 @@ struct Response {
   /// Share of the volume that solid fills [-].
   double relative_density = 0;
   Status status = Status::converged;
+};
+
+/// A number that a material keeps for each point, for output.
+struct Variable {
+  std::string name;    ///< words joined by underscores
+  std::string unit;    ///< "-" if it has none
+  std::string meaning; ///< in a few words, signs and numbers included
 };
 
 /// All points of one material on this rank: the only thing a die model knows
@@ -73,6 +81,16 @@ public:
 
   /// Time the last evaluate() took for a point [s]: weight for load balance.
   virtual double cost(std::size_t point) const = 0;
+
+  /// What variables_of() gives, compression positive as in all output.
+  virtual std::vector<Variable> variables() const { return {}; }
+
+  /// Writes the variables of the committed state of a point.
+  /// @param values  one for each of variables().
+  virtual void variables_of(std::size_t /* point */,
+                            std::span<double> /* values */) const
+  {
+  }
 };
 } // namespace tamp::fem
 

@@ -80,6 +80,20 @@ double face_area(const Mesh &mesh,
   const Vector other = positions[face[2]] - positions[face[1]];
   return 0.5 * dealii::cross_product_3d(diagonal, other).norm();
 }
+
+/// Share of a face's area that belongs to one of its nodes: what the node bears
+/// of a constant pressure. The nodes of a ring's face differ as their radii do.
+double node_share(const Mesh &mesh,
+                  const unsigned *face,
+                  unsigned node,
+                  const NodePositions &positions)
+{
+  if (!mesh.is_axisymmetric())
+    return 1. / mesh.nodes_per_face();
+  const double own = positions[face[node]][0];
+  const double other = positions[face[1 - node]][0];
+  return own + other > 0 ? (2 * own + other) / (3 * (own + other)) : 0.5;
+}
 } // namespace
 
 /// How a node approaches a tool.
@@ -141,7 +155,8 @@ void ToolContact::update_areas(const NodePositions &positions)
     for (std::size_t i = 0; i < contact.faces.size(); i += n) {
       const double area = face_area(mesh_, &contact.faces[i], positions);
       for (unsigned a = 0; a < n; ++a)
-        share[contact.faces[i + a]] += area / n;
+        share[contact.faces[i + a]] +=
+            area * node_share(mesh_, &contact.faces[i], a, positions);
     }
     for (const unsigned node : contact.nodes)
       areas_.insert(areas_.end(), tools_.surfaces[tool]->faces(), share[node]);

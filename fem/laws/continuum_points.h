@@ -21,12 +21,15 @@ namespace tamp::fem
 ///   - `State initial_state() const`, and
 ///   - `Response respond(const State &old, State &now, const Deformation &,
 ///     Want) const`, which gives `now` a value in every case.
+/// It may have `static std::vector<Variable> variables()` and `void
+/// variables_of(const State &, std::span<double>) const`.
 template <class Law>
 class ContinuumPoints final : public MaterialPoints
 {
 public:
   using State = typename Law::State;
   static_assert(std::is_trivially_copyable_v<State>);
+  static constexpr bool has_variables = requires { Law::variables(); };
 
   /// @param size  number of points, all in the law's initial state.
   ContinuumPoints(Law law, const std::size_t size)
@@ -77,6 +80,20 @@ public:
 
   /// The same for all points: the mean of the last evaluate().
   double cost(std::size_t) const override { return mean_cost_; }
+
+  std::vector<Variable> variables() const override
+  {
+    if constexpr (has_variables)
+      return Law::variables();
+    return {};
+  }
+
+  void variables_of([[maybe_unused]] const std::size_t point,
+                    [[maybe_unused]] std::span<double> values) const override
+  {
+    if constexpr (has_variables)
+      law_.variables_of(committed_[point], values);
+  }
 
   const Law &law() const { return law_; }
   /// The committed state of a point.

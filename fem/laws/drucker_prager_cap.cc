@@ -5,6 +5,8 @@
 #include <fem/laws/drucker_prager_cap.h>
 #include <fem/laws/expect_value.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace tamp::fem
@@ -139,6 +141,29 @@ Response DruckerPragerCap::respond(const State &old,
                         ? Status::doubtful
                         : Status::converged;
   return response;
+}
+
+std::vector<Variable> DruckerPragerCap::variables()
+{
+  return {{"plastic_volumetric_strain", "-", "compaction since the start"},
+          {"plastic_shear_strain", "-", "sum of equivalent increments"},
+          {"active_surface",
+           "-",
+           "0 elastic, 1 shear failure, 2 transition, 3 cap, 4 apex"},
+          {"hydrostatic_yield_pressure", "Pa", "p_b"},
+          {"outside_tables", "-", "1 where a table of the law was left"}};
+}
+
+void DruckerPragerCap::variables_of(const State &state,
+                                    std::span<double> values) const
+{
+  const std::array<double, 5> now{
+      state.plastic_compaction - initial_state().plastic_compaction,
+      state.plastic_shear,
+      static_cast<double>(state.surface),
+      parameters_.hardening.read(state.plastic_compaction).value,
+      static_cast<double>(state.outside_tables)};
+  std::ranges::copy(now, values.begin());
 }
 
 CapSurface<double>

@@ -9,7 +9,9 @@
 #include <fem/material_points.h>
 
 #include <cstdint>
+#include <span>
 #include <string_view>
+#include <vector>
 
 namespace tamp::fem
 {
@@ -94,6 +96,10 @@ public:
                    State &now,
                    const Deformation &deformation,
                    Want want) const;
+
+  /// What a state holds for output, strains since the start of the powder.
+  static std::vector<Variable> variables();
+  void variables_of(const State &state, std::span<double> values) const;
 
   /// The surface of a point with this plastic volumetric strain.
   CapSurface<double> surface(double plastic_compaction) const;

@@ -4,6 +4,8 @@
 #include <fem/laws/fkm_gurson.h>
 #include <fem/laws/plastic_path.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace tamp::fem
@@ -302,6 +304,25 @@ Response FkmGurson::respond(const State &old,
                         ? Status::doubtful
                         : Status::converged;
   return response;
+}
+
+std::vector<Variable> FkmGurson::variables()
+{
+  return {
+      {"plastic_volumetric_strain", "-", "compaction since the start"},
+      {"plastic_shear_strain", "-", "sum of equivalent increments"},
+      {"yielding", "-", "1 where the last increment ended plastic"},
+      {"hydrostatic_yield_pressure", "Pa", "where the surface meets q = 0"}};
+}
+
+void FkmGurson::variables_of(const State &state, std::span<double> values) const
+{
+  const std::array<double, 4> now{
+      std::log((1 - state.porosity) / parameters_.initial_relative_density),
+      state.plastic_shear,
+      static_cast<double>(state.yielding),
+      surface(state.porosity).largest_pressure()};
+  std::ranges::copy(now, values.begin());
 }
 
 FkmGursonSurface<double> FkmGurson::surface(const double porosity) const

@@ -6,7 +6,9 @@
 #include <fem/material_points.h>
 
 #include <cstdint>
+#include <span>
 #include <string_view>
+#include <vector>
 
 namespace tamp::fem
 {
@@ -77,6 +79,10 @@ public:
                    State &now,
                    const Deformation &deformation,
                    Want want) const;
+
+  /// What a state holds for output, strains since the start of the powder.
+  static std::vector<Variable> variables();
+  void variables_of(const State &state, std::span<double> values) const;
 
   /// The surface at a porosity between 0 and 1.
   FkmGursonSurface<double> surface(double porosity) const;

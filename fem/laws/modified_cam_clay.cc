@@ -4,6 +4,8 @@
 #include <fem/laws/modified_cam_clay.h>
 #include <fem/laws/plastic_path.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace tamp::fem
@@ -269,6 +271,24 @@ Response ModifiedCamClay::respond(const State &old,
   response.status =
       now.relative_density > 1 ? Status::doubtful : Status::converged;
   return response;
+}
+
+std::vector<Variable> ModifiedCamClay::variables()
+{
+  return {{"plastic_volumetric_strain", "-", "compaction since the start"},
+          {"plastic_shear_strain", "-", "sum of equivalent increments"},
+          {"yielding", "-", "1 where the last increment ended plastic"},
+          {"hydrostatic_yield_pressure", "Pa", "p_c"}};
+}
+
+void ModifiedCamClay::variables_of(const State &state,
+                                   std::span<double> values) const
+{
+  const std::array<double, 4> now{state.plastic_compaction,
+                                  state.plastic_shear,
+                                  static_cast<double>(state.yielding),
+                                  state.yield_pressure};
+  std::ranges::copy(now, values.begin());
 }
 
 CamClaySurface<double> ModifiedCamClay::surface(const State &state) const

@@ -6,7 +6,9 @@
 #include <fem/material_points.h>
 
 #include <cstdint>
+#include <span>
 #include <string_view>
+#include <vector>
 
 namespace tamp::fem
 {
@@ -81,6 +83,10 @@ public:
                    State &now,
                    const Deformation &deformation,
                    Want want) const;
+
+  /// What a state holds for output, strains since the start of the powder.
+  static std::vector<Variable> variables();
+  void variables_of(const State &state, std::span<double> values) const;
 
   CamClaySurface<double> surface(const State &state) const;
 

@@ -325,6 +325,29 @@ TYPED_TEST_P(MaterialPointsContract, TangentDescribesTheStress)
     }
 }
 
+TYPED_TEST_P(MaterialPointsContract, VariablesAreThoseOfTheCommittedState)
+{
+  using Traits = ContractTraits<TypeParam>;
+  const auto points = this->loaded();
+  const std::size_t count = points->variables().size();
+  const auto variables = [count](const MaterialPoints &of, std::size_t point) {
+    std::vector<double> values(count, std::nan(""));
+    of.variables_of(point, values);
+    return values;
+  };
+  const std::vector<double> before = variables(*points, 0);
+  for (const double value : before)
+    EXPECT_TRUE(std::isfinite(value));
+  this->evaluate(*points, Traits::next());
+  EXPECT_EQ(variables(*points, 0), before);
+  // They belong to the state, so they travel with it.
+  std::vector<char> bytes;
+  points->pack(0, bytes);
+  const auto fresh = Traits::make();
+  fresh->unpack(1, bytes);
+  EXPECT_EQ(variables(*fresh, 1), before);
+}
+
 TYPED_TEST_P(MaterialPointsContract, DensityFollowsTheVolume)
 {
   using Traits = ContractTraits<TypeParam>;
@@ -353,6 +376,7 @@ REGISTER_TYPED_TEST_SUITE_P(MaterialPointsContract,
                             GarbageIsRefusedAndChangesNothing,
                             RotationTurnsTheStress,
                             TangentDescribesTheStress,
+                            VariablesAreThoseOfTheCommittedState,
                             DensityFollowsTheVolume);
 } // namespace tamp::fem::contract
 
