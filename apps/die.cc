@@ -359,12 +359,18 @@ void warn_of_loose_cells(RunSession &session)
         material.packing.goal.pressure / 1e6));
 }
 
-RunEnd press(RunSession &session, const fem::Ranks &ranks)
+// What lives until all ranks have ended: taking a model down needs them all.
+struct Job {
+  std::optional<RunSession> session;
+  std::optional<DieRun> run;
+};
+
+RunEnd press(Job &job, const fem::Ranks &ranks)
 {
   try {
-    warn_of_loose_cells(session);
-    DieRun run(session, ranks);
-    return run.work();
+    warn_of_loose_cells(*job.session);
+    job.run.emplace(*job.session, ranks);
+    return job.run->work();
   } catch (const PackingError &error) {
     return {exit_not_converged, error.what()};
   }
@@ -373,9 +379,11 @@ RunEnd press(RunSession &session, const fem::Ranks &ranks)
 
 int run_die(const RunOptions &options)
 {
-  return run_under_mpi([&](const fem::Ranks &ranks) {
-    RunSession session("die", options, Need::die, {ranks.rank(), ranks.size()});
-    return session.run([&] { return press(session, ranks); });
-  });
+  return run_under_mpi(
+      [&options, job = std::make_shared<Job>()](const fem::Ranks &ranks) {
+        RunSession &session = job->session.emplace(
+            "die", options, Need::die, RankPlace{ranks.rank(), ranks.size()});
+        return session.run([&] { return press(*job, ranks); });
+      });
 }
 } // namespace tamp::apps

@@ -79,7 +79,7 @@ int end_together(const fem::Ranks &ranks,
 }
 } // namespace
 
-int run_under_mpi(const std::function<int(const fem::Ranks &)> &work)
+int run_under_mpi(std::function<int(const fem::Ranks &)> work)
 {
   // PETSc must not see our command line, and no exception may leave while MPI
   // is up.
@@ -100,6 +100,8 @@ int run_under_mpi(const std::function<int(const fem::Ranks &)> &work)
     code = end.code;
     problem = end.message;
   }
-  return end_together(ranks, place, code, problem);
+  code = end_together(ranks, place, code, problem);
+  work = nullptr; // while MPI is up
+  return code;
 }
 } // namespace tamp::apps

@@ -15,8 +15,10 @@ namespace tamp::apps
 /// The work is the same on all ranks, so that they end it together. If one is
 /// alone in ending it with an error (a full disk, no memory), then it says why
 /// and ends the others, which wait for it, by MPI_Abort with its exit code.
-/// SIGINT and SIGTERM are watched, see caught_signal().
-int run_under_mpi(const std::function<int(const fem::Ranks &)> &work);
+/// What the work holds lives until then, even if it throws: to destroy what is
+/// shared among ranks needs them all. SIGINT and SIGTERM are watched, see
+/// caught_signal().
+int run_under_mpi(std::function<int(const fem::Ranks &)> work);
 } // namespace tamp::apps
 
 #endif
