@@ -228,6 +228,19 @@ TEST(MccTablet, IsEjectedFromAFinerMesh)
   expect_pattern(outcome, tablet.settings.geometry);
 }
 
+TEST(AgCuSnInCompact, IsPressedAndUnloadedWithDefaultSteps)
+{
+  Case compact(4, 8, FrictionCoefficient(0.08));
+  compact.powder = agcusnin::parameters();
+  compact.settings.geometry.radius = 5e-3;
+  compact.press_by(5e-3);
+  const Outcome outcome = run(compact, 2);
+  ASSERT_EQ(outcome.end, Advance::finished) << outcome.reason;
+  EXPECT_EQ(outcome.records.back().upper_force, 0);
+  expect_balance(outcome);
+  expect_pattern(outcome, compact.settings.geometry);
+}
+
 TEST(MccTablet, DensityIsTheMoreUniformTheLessFriction)
 {
   double last = 0;
