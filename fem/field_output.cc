@@ -82,7 +82,7 @@ std::vector<PointField> fields_of(const Press &press)
   const bool ring = press.mesh().is_axisymmetric();
   std::vector<PointField> fields;
   const auto add = [&](const char *name, auto value) {
-    PointField field{name, {}};
+    PointField field{name, {}, {}};
     for (const Response &response : press.compact().state().responses)
       field.values.push_back(value(response));
     fields.push_back(std::move(field));
