@@ -20,6 +20,9 @@ int run_contact(const RunOptions &options);
 int run_pack(const RunOptions &options);
 /// A compact in a die.
 int run_die(const RunOptions &options);
+/// Reads and judges an input without running it: ranges, mesh, tools, schedule,
+/// memory, time. Writes nothing. Exit code 5 if it should not be run.
+int check_input(const RunOptions &options);
 /// Prints all parameters: "prm", "json" or "md".
 int print_parameters(const std::string &format);
 /// Reads an input without running it, says what is wrong with it.

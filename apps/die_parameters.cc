@@ -5,7 +5,9 @@
 #include <apps/value_checks.h>
 #include <fem/die_mesh.h>
 #include <fem/punch_area.h>
+#include <fem/tool_surface.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -128,10 +130,26 @@ bool automatic(const ParameterTable &table,
 fem::ImportedMesh make_mesh(const ParameterTable &table,
                             const fem::DieGeometry &geometry)
 {
+  // Names at the front are found first among those of one length.
+  check_values(table,
+               {"Die/Shape",
+                "Die/Upper punch",
+                "Die/Lower punch",
+                "Die/Radius",
+                "Die/Core radius",
+                "Die/Side",
+                "Die/Corner radius",
+                "Die/Fill height",
+                "Die/Exit taper angle",
+                "Die/Exit taper length"},
+               [&] { geometry.check(); });
   const char *source =
       geometry.mesh_file.empty() ? "Die/Shape" : "Die/Mesh file";
   try {
-    return fem::die_mesh(geometry);
+    fem::ImportedMesh imported = fem::die_mesh(geometry);
+    // Tools that cannot be read off the mesh are refused before the run.
+    fem::make_tools(geometry, imported.mesh);
+    return imported;
   } catch (const std::runtime_error &error) {
     table.complain(source, error.what());
   } catch (const std::invalid_argument &error) {
@@ -215,6 +233,15 @@ std::string problem_of_cells(const fem::Stage &stage)
   return {};
 }
 
+/// Of the powder, from the highest node of the upper punch to the lowest of
+/// the lower one [m].
+double height_between_punches(const fem::Mesh &mesh)
+{
+  const auto z = [&](unsigned node) { return mesh.nodes[node][2]; };
+  return z(std::ranges::max(mesh.tools[fem::upper_punch].nodes, {}, z)) -
+         z(std::ranges::min(mesh.tools[fem::lower_punch].nodes, {}, z));
+}
+
 void read_schedule(const ParameterTable &table,
                    bool cells,
                    double punch_area,
@@ -269,7 +296,10 @@ fem::ImportedMesh read_press(const ParameterTable &table,
                 "Solver/Minimum step",
                 "Solver/Step growth",
                 "Solver/Step cut"},
-               [&] { die.check(); });
+               [&] {
+                 die.check();
+                 die.check_way(height_between_punches(imported.mesh));
+               });
   return imported;
 }
 } // namespace tamp::apps

@@ -108,6 +108,17 @@ std::pair<std::string, std::string> two_quantities(const std::string &text)
   return {text.substr(0, space), text.substr(space + 1)};
 }
 
+/// parse_quantity() that says what it expected.
+double expect_quantity(std::string_view text, const Dimension &dimension)
+{
+  try {
+    return parse_quantity(text, dimension);
+  } catch (const InputError &error) {
+    throw InputError(
+        fmt::format("{}; expected {}", error.what(), described(dimension)));
+  }
+}
+
 PunchFace parse_face(const std::string &text)
 {
   using Kind = PunchFace::Kind;
@@ -137,11 +148,11 @@ PunchFace parse_face(const std::string &text)
       throw InputError("expected a width and an angle after 'bevel', for "
                        "example bevel 0.4 mm 30 deg");
     face.kind = Kind::bevel;
-    face.width = parse_quantity(width, dimension::length);
-    face.angle = parse_quantity(angle, dimension::angle);
+    face.width = expect_quantity(width, dimension::length);
+    face.angle = expect_quantity(angle, dimension::angle);
     return face;
   }
-  const double length = parse_quantity(rest, dimension::length);
+  const double length = expect_quantity(rest, dimension::length);
   if (kind == "chamfer") {
     face.kind = Kind::chamfer;
     face.width = length;
@@ -157,7 +168,7 @@ FrictionCoefficient parse_friction(const std::string &text)
   using Of = FrictionCoefficient::Of;
   std::string_view rest = trimmed(text);
   if (rest.rfind("of ", 0) != 0) {
-    const double mu = parse_quantity(rest, dimension::number);
+    const double mu = expect_quantity(rest, dimension::number);
     if (mu < 0)
       throw InputError("expected a coefficient that is not negative");
     return FrictionCoefficient(mu);
@@ -173,11 +184,12 @@ FrictionCoefficient parse_friction(const std::string &text)
     if (parts.size() != 2)
       throw InputError(fmt::format(
           "expected entries 'place: mu' divided by commas, found '{}'", entry));
-    rows.x.push_back(parse_quantity(
+    rows.x.push_back(expect_quantity(
         parts[0], pressure ? dimension::pressure : dimension::number));
-    rows.y.push_back(parse_quantity(parts[1], dimension::number));
+    rows.y.push_back(expect_quantity(parts[1], dimension::number));
     if (rows.y.back() < 0)
-      throw InputError("expected coefficients that are not negative");
+      throw InputError(fmt::format(
+          "expected coefficients that are not negative, found '{}'", entry));
   }
   return {pressure ? Of::pressure : Of::density,
           fem::DensityTable(std::move(rows), "friction coefficient")};
@@ -270,6 +282,10 @@ void read_die_shape(const ParameterTable &table, fem::DieSettings &die)
   fem::DieGeometry &geometry = die.geometry;
   geometry.shape = chosen<fem::DieShape>(table, "Die/Shape", shapes);
   geometry.section = chosen<fem::Section>(table, "Die/Symmetry", sections);
+  if (geometry.shape == fem::DieShape::square &&
+      geometry.section == fem::Section::axisymmetric)
+    table.complain("Die/Symmetry",
+                   "a square is not axisymmetric; expected quarter or full");
   geometry.radius = table.number("Die/Radius");
   geometry.core_radius = table.number("Die/Core radius");
   geometry.side = table.number("Die/Side");

@@ -342,6 +342,13 @@ bool ParameterTable::given(const std::string &path) const
   return !implementation_->at(path).source.empty();
 }
 
+bool ParameterTable::given_below(const std::string &section) const
+{
+  return std::ranges::any_of(implementation_->entries, [&](const auto &entry) {
+    return !entry.source.empty() && entry.section.front() == section;
+  });
+}
+
 std::filesystem::path ParameterTable::folder(const std::string &path) const
 {
   return implementation_->at(path).folder;

@@ -100,6 +100,8 @@ public:
   bool on(const std::string &path) const;
   /// Whether a file or --set gave the value.
   bool given(const std::string &path) const;
+  /// Whether a file or --set gave any entry of this section, such as "Die".
+  bool given_below(const std::string &section) const;
   /// The folder of the file that gave the value, to find files named in it.
   std::filesystem::path folder(const std::string &path) const;
   /// @}

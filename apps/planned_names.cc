@@ -9,8 +9,8 @@ namespace tamp::apps
 namespace
 {
 constexpr std::array<std::string_view, 1> entries{"Output/Checkpoint interval"};
-constexpr std::array<std::string_view, 6> commands{
-    "calibrate", "check", "compare", "fit", "inspect", "selftest"};
+constexpr std::array<std::string_view, 5> commands{
+    "calibrate", "compare", "fit", "inspect", "selftest"};
 } // namespace
 
 bool is_planned_entry(std::string_view path)

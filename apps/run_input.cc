@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -142,6 +143,36 @@ std::vector<std::filesystem::path> files_of(const ParameterTable &table,
   return files;
 }
 
+// What the powder is at the start, where that is known before packing.
+std::optional<double> start_density(const coupling::MaterialChoice &material)
+{
+  switch (material.kind) {
+  case coupling::MaterialKind::unit_cell:
+    return {};
+  case coupling::MaterialKind::elastic:
+    return material.elastic.initial_relative_density;
+  case coupling::MaterialKind::drucker_prager_cap:
+    return material.cap.initial_relative_density;
+  case coupling::MaterialKind::modified_cam_clay:
+    return material.cam_clay.initial_relative_density;
+  case coupling::MaterialKind::fkm_gurson:
+    return material.fkm_gurson.initial_relative_density;
+  }
+  return {};
+}
+
+void check_start(const ParameterTable &table, const RunInput &input)
+{
+  const std::optional<double> density = start_density(input.material);
+  if (!density)
+    return;
+  try {
+    input.die.check_start(*density);
+  } catch (const std::invalid_argument &error) {
+    table.complain("Schedule/Stages", error.what());
+  }
+}
+
 void check_grain_points(const ParameterTable &table,
                         const RunInput &input,
                         std::size_t count)
@@ -191,6 +222,7 @@ RunInput read_input(const ParameterTable &table, Need need)
   if (everything || need == Need::die) {
     read_die_shape(table, input.die);
     input.mesh = read_press(table, input.material.kind, input.die);
+    check_start(table, input);
     check_grain_points(table, input, input.mesh.mesh.number_of_points());
   }
   read_replicas(table, need, input);

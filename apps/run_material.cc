@@ -8,17 +8,25 @@
 
 namespace tamp::apps
 {
-void warn_of_contact_model(RunSession &session)
+std::string adhesion_doubt(const dem::ContactModel &model)
 {
-  const dem::ContactModel &model = session.input().material.packing.contact;
   const bool adhesive = model.normal_law == dem::NormalLaw::jkr ||
                         model.normal_law == dem::NormalLaw::thornton_ning_jkr;
   if (adhesive && !(model.work_of_adhesion > 0))
-    session.warn("Contact/Work of adhesion is 0: the normal law is that "
-                 "without adhesion");
+    return "Contact/Work of adhesion is 0: the normal law is that without "
+           "adhesion";
   if (!adhesive && model.work_of_adhesion > 0)
-    session.warn("Contact/Work of adhesion is not felt: the normal law is one "
-                 "without adhesion");
+    return "Contact/Work of adhesion is not felt: the normal law is one "
+           "without adhesion";
+  return {};
+}
+
+void warn_of_contact_model(RunSession &session)
+{
+  const std::string doubt =
+      adhesion_doubt(session.input().material.packing.contact);
+  if (!doubt.empty())
+    session.warn(doubt);
 }
 
 std::string packing_title(const coupling::MaterialChoice &choice,

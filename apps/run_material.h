@@ -30,6 +30,9 @@ void warn_of_history(RunSession &session, coupling::History history);
 /// Warns of what is easily overlooked in the tables of a continuum law.
 void warn_of_law(RunSession &session);
 
+/// What does not fit together in normal law and work of adhesion; else empty.
+std::string adhesion_doubt(const dem::ContactModel &model);
+
 /// Warns of a work of adhesion and a normal law that do not fit together.
 void warn_of_contact_model(RunSession &session);
 } // namespace tamp::apps

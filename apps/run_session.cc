@@ -20,16 +20,6 @@ namespace tamp::apps
 {
 namespace
 {
-unsigned checked_threads(const std::optional<int> &wanted)
-{
-  if (!wanted)
-    return available_cores();
-  if (*wanted < 1)
-    throw InputError(fmt::format(
-        "--threads {}: expected a whole number of at least 1", *wanted));
-  return static_cast<unsigned>(*wanted);
-}
-
 bool about_output(const std::exception &error)
 {
   return dynamic_cast<const OutputError *>(&error) ||
@@ -107,6 +97,16 @@ unsigned available_cores()
   if (sched_getaffinity(0, sizeof set, &set) == 0)
     return static_cast<unsigned>(std::max(1, CPU_COUNT(&set)));
   return std::max(1u, std::thread::hardware_concurrency());
+}
+
+unsigned checked_threads(const std::optional<int> &wanted)
+{
+  if (!wanted)
+    return available_cores();
+  if (*wanted < 1)
+    throw InputError(fmt::format(
+        "--threads {}: expected a whole number of at least 1", *wanted));
+  return static_cast<unsigned>(*wanted);
 }
 
 RunSession::RunSession(const std::string &command,

@@ -104,6 +104,8 @@ private:
 
 /// Number of cores this process may use.
 unsigned available_cores();
+/// What --threads says, all cores if it says nothing. Throws InputError.
+unsigned checked_threads(const std::optional<int> &wanted);
 } // namespace tamp::apps
 
 #endif

@@ -19,23 +19,28 @@ namespace
 {
 using namespace tamp::apps;
 
-void add_run_options(CLI::App &command, RunOptions &options)
+void add_input_options(CLI::App &command, RunOptions &options)
 {
   command.add_option("FILE", options.input, "Input, .prm or .json")->required();
-  command.add_option("-o,--output",
-                     options.output,
-                     "Folder for results; default results/<name of the input>");
   command
       .add_option("--set",
                   options.settings,
                   "\"Section/Name = value\", beats the file; may be repeated")
       ->expected(1)
       ->take_all();
-  command.add_flag(
-      "--force", options.force, "Overwrite the results in an existing folder");
   command.add_option("--threads",
                      options.threads,
                      "Threads; default: all cores this process may use");
+}
+
+void add_run_options(CLI::App &command, RunOptions &options)
+{
+  add_input_options(command, options);
+  command.add_option("-o,--output",
+                     options.output,
+                     "Folder for results; default results/<name of the input>");
+  command.add_flag(
+      "--force", options.force, "Overwrite the results in an existing folder");
   command.add_flag_callback(
       "-q,--quiet",
       [&options] { options.verbosity = Verbosity::quiet; },
@@ -172,6 +177,14 @@ int run(int argc, char **argv)
   contact->callback([&] {
     expect_one_rank("contact");
     code = run_contact(options);
+  });
+
+  CLI::App *check =
+      app.add_subcommand("check", "Read and judge an input without running it");
+  add_input_options(*check, options);
+  check->callback([&] {
+    expect_one_rank("check");
+    code = check_input(options);
   });
 
   add_other_commands(app, other, code);

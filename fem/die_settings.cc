@@ -98,6 +98,7 @@ void check_order(const std::vector<Stage> &stages, double height)
     }
   }
 }
+
 void check_limits(const StepLimits &steps)
 {
   require(steps.first > 0, "first step", steps.first, "> 0");
@@ -162,7 +163,12 @@ void DieSettings::check() const
   check_solver(solver);
   for (unsigned i = 0; i < stages.size(); ++i)
     check_stage(stages[i], "stage " + std::to_string(i + 1) + ": ");
-  check_order(stages, geometry.mesh_file.empty() ? geometry.fill_height : 0);
+  check_way(geometry.mesh_file.empty() ? geometry.fill_height : 0);
+}
+
+void DieSettings::check_way(double height) const
+{
+  check_order(stages, height);
 }
 
 void DieSettings::check_start(double density) const

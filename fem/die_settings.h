@@ -101,6 +101,11 @@ struct DieSettings {
   /// possible, alone or with those before it.
   void check() const;
 
+  /// Throws std::invalid_argument if the stages bring the punches closer than
+  /// powder of this height lets them [m]. check() does so for the dies that are
+  /// built in; a mesh has a height of its own.
+  void check_way(double height) const;
+
   /// Throws std::invalid_argument if powder of this mean relative density is
   /// as dense as the first pressing wants it, or denser.
   void check_start(double density) const;
