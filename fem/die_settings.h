@@ -61,7 +61,7 @@ struct StepLimits {
   double cut = 0.5;
   /// Maximum while the compact passes the die's rim, where its nodes leave the
   /// wall one by one: as a share of the height of an element at the wall [-].
-  double rim = 0.5;
+  double rim = 0.25;
 };
 
 enum class NonlinearMethod {

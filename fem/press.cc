@@ -201,6 +201,10 @@ Press::contact_blocks(const std::vector<PairForce> &forces,
                         contact_.pairs()[i].tool,
                         forces[i].status,
                         contact_.stiffness(i, forces[i], positions, tools)});
+  if (mesh().is_axisymmetric())
+    for (ContactBlock &block : blocks)
+      for (unsigned i = 0; i < 3; ++i)
+        block.stiffness[1][i] = block.stiffness[i][1] = 0; // no unknowns
   return blocks;
 }
 

@@ -101,10 +101,10 @@ struct Body {
   }
   SurfacePoint surface(std::size_t pair) const
   {
-    const auto [node, tool] = contact.pairs()[pair];
+    const auto [node, tool, face] = contact.pairs()[pair];
     Vector place = places[node];
     place[2] -= tool_places[tool];
-    return tools.surfaces[tool]->nearest(place);
+    return tools.surfaces[tool]->nearest(place, face);
   }
 
   /// Every node is moved by up to `slide` in any direction and then, along the

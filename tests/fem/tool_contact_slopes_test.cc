@@ -19,7 +19,7 @@ Vector slope_of(const Body &body,
                 bool of_tool)
 {
   constexpr double step = 1e-11; // [m], of penetrations of 1e-8
-  const auto [node, tool] = body.contact.pairs()[pair];
+  const auto [node, tool, face] = body.contact.pairs()[pair];
   Vector difference;
   for (const double sign : {1., -1.}) {
     NodePositions places = body.places;
