@@ -39,15 +39,15 @@ for program in $programs; do
   awk -f "$here/rows.awk" "$scratch/$program.json" >>"$lines"
 done
 
-# run_die NAME EXAMPLE: wall time of a die example, cell updates per load step,
-# and where the time went, from its run.json. Runs if FILTER matches any name of
-# its rows.
+# run_die NAME EXAMPLE [OPTION...]: wall time of a die example, cell updates per
+# load step, and where the time went, from its run.json. Runs if FILTER matches
+# any name of its rows.
 run_die() {
-  parts="packing material assembly linear_solver model"
+  parts="packing material assembly contact linear_solver model"
   printf "%s\n" "$1.wall" "$1.cell_updates_per_step" "$1.time." |
     grep -Eq -- "${filter:-.}" || return 0
   "$build/apps/tamp" die "$root/apps/examples/$2/$2.prm" \
-    -o "$scratch/$2" -q --no-plots
+    -o "$scratch/$2" -q --no-plots "${@:3}"
   value() {
     sed -n "s/^ *\"$1\": \([0-9.eE+-]*\),*\$/\1/p" "$scratch/$2/run.json"
   }
@@ -60,7 +60,7 @@ run_die() {
     done
   } >>"$lines"
 }
-run_die die_dpc die_default_dpc
+run_die die_dpc mcc_tablet --set "Die/Elements = 28, 50" --threads 1
 run_die die_default die_default
 
 # The processor, its clock if the system knows it, and how many.
