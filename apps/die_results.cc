@@ -56,10 +56,10 @@ std::vector<std::string> die_header()
           "force_residual[-]",
           "worst_unbalance[-]",
           "worst_hill_mandel[-]",
-          "wall_time[s]",
           "die_displacement[m]",
           "compact_height[m]",
-          "compact_radius[m]"};
+          "compact_radius[m]",
+          "wall_time[s]"};
 }
 
 std::vector<double> die_values(const fem::StepRecord &record,
@@ -85,10 +85,10 @@ std::vector<double> die_values(const fem::StepRecord &record,
                              record.force_residual,
                              effort.worst_unbalance,
                              effort.worst_hill_mandel,
-                             effort.wall_time,
                              record.die_displacement,
                              record.compact_height,
-                             record.compact_radius};
+                             record.compact_radius,
+                             effort.wall_time};
   for (double &value : values)
     value += 0.; // nobody wants to read -0
   return values;
