@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fem/laws/cap_increment.h>
 #include <fem/laws/cap_tables.h>
-#include <fem/laws/corotation.h>
+#include <fem/laws/corotated_response.h>
 #include <fem/laws/drucker_prager_cap.h>
 #include <fem/laws/expect_value.h>
 
@@ -15,9 +15,6 @@ using dealii::SymmetricTensor;
 
 namespace
 {
-/// An increment whose logarithmic stretch is larger than this fails.
-constexpr double largest_strain = 1;
-
 bool outside_tables(const DruckerPragerCapParameters &parameters,
                     const double compaction)
 {
@@ -113,34 +110,28 @@ Response DruckerPragerCap::respond(const State &old,
                                    const Deformation &deformation,
                                    const Want want) const
 {
-  now = old;
-  Response response{old.stress, {}, old.relative_density, Status::failed};
-  const Corotation corotation(deformation.relative_F);
-  if (!corotation.is_possible() ||
-      corotation.log_stretch().norm() > largest_strain)
-    return response;
-  const auto answer =
-      integrate_cap(parameters_, old, corotation.log_stretch(), want);
-  if (!answer)
-    return response;
-  if (want == Want::stress_and_tangent) {
-    const auto tangent = corotation.tangent(answer->stress);
-    if (!std::isfinite(tangent.norm()))
-      return response;
-    response.tangent = tangent;
-  }
-  now.stress = corotation.rotate(answer->stress.stress);
-  now.plastic_compaction = answer->plastic_compaction;
-  now.plastic_shear = answer->plastic_shear;
-  now.surface = answer->surface;
-  now.relative_density = old.relative_density / corotation.volume_ratio();
-  now.outside_tables = outside_tables(parameters_, now.plastic_compaction);
-  response.stress = now.stress;
-  response.relative_density = now.relative_density;
-  response.status = now.outside_tables || !answer->is_resolved
-                        ? Status::doubtful
-                        : Status::converged;
-  return response;
+  return corotated_response(
+      old,
+      now,
+      deformation,
+      [&](const Corotation &corotation, State &end, auto &tangent) {
+        const auto answer =
+            integrate_cap(parameters_, old, corotation.log_stretch(), want);
+        if (!answer)
+          return Status::failed;
+        if (want == Want::stress_and_tangent)
+          tangent = corotation.tangent(answer->stress);
+        if (!std::isfinite(tangent.norm()))
+          return Status::failed;
+        end.stress = corotation.rotate(answer->stress.stress);
+        end.plastic_compaction = answer->plastic_compaction;
+        end.plastic_shear = answer->plastic_shear;
+        end.surface = answer->surface;
+        end.outside_tables =
+            outside_tables(parameters_, end.plastic_compaction);
+        return end.outside_tables || !answer->is_resolved ? Status::doubtful
+                                                          : Status::converged;
+      });
 }
 
 std::vector<Variable> DruckerPragerCap::variables()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fem/laws/corotation.h>
+#include <fem/laws/corotated_response.h>
 #include <fem/laws/expect_value.h>
 #include <fem/laws/fkm_gurson.h>
 #include <fem/laws/plastic_path.h>
@@ -12,9 +12,6 @@ namespace tamp::fem
 {
 namespace
 {
-/// An increment whose logarithmic stretch is larger than this fails.
-constexpr double largest_strain = 1;
-
 /// The hydrostatic yield pressure of FKM over sigma_0, and the floor: constant
 /// while the formula is negative, then a parabola that touches both.
 template <class Number>
@@ -196,7 +193,7 @@ bool integrate(const FkmGursonParameters &parameters,
                const FkmGurson::State &old,
                const Corotation &corotation,
                FkmGurson::State &now,
-               Response &response)
+               dealii::SymmetricTensor<4, 3> &tangent)
 {
   const FkmGursonIncrement law(parameters);
   auto point = start_from<Number>(old.stress);
@@ -214,10 +211,9 @@ bool integrate(const FkmGursonParameters &parameters,
   now.plastic_shear += point.plastic_shear;
   now.yielding = point.yielding;
   if constexpr (!std::is_same_v<Number, double>)
-    response.tangent = corotation.tangent(answer);
-  return std::isfinite(now.stress.norm()) &&
-         std::isfinite(response.tangent.norm()) && now.porosity > 0 &&
-         now.porosity < 1;
+    tangent = corotation.tangent(answer);
+  return std::isfinite(now.stress.norm()) && std::isfinite(tangent.norm()) &&
+         now.porosity > 0 && now.porosity < 1;
 }
 } // namespace
 
@@ -281,29 +277,22 @@ Response FkmGurson::respond(const State &old,
                             const Deformation &deformation,
                             const Want want) const
 {
-  now = old;
-  Response response{old.stress, {}, old.relative_density, Status::failed};
-  const Corotation corotation(deformation.relative_F);
-  if (!corotation.is_possible() ||
-      corotation.log_stretch().norm() > largest_strain)
-    return response;
-  const bool good =
-      want == Want::stress
-          ? integrate<double>(parameters_, old, corotation, now, response)
-          : integrate<StrainDerivative>(
-                parameters_, old, corotation, now, response);
-  if (!good) {
-    now = old;
-    response.tangent = {};
-    return response;
-  }
-  now.relative_density = old.relative_density / corotation.volume_ratio();
-  response.stress = now.stress;
-  response.relative_density = now.relative_density;
-  response.status = 1 - now.porosity < parameters_.random_packing_density
-                        ? Status::doubtful
-                        : Status::converged;
-  return response;
+  return corotated_response(
+      old,
+      now,
+      deformation,
+      [&](const Corotation &corotation, State &end, auto &tangent) {
+        const bool good =
+            want == Want::stress
+                ? integrate<double>(parameters_, old, corotation, end, tangent)
+                : integrate<StrainDerivative>(
+                      parameters_, old, corotation, end, tangent);
+        if (!good)
+          return Status::failed;
+        return 1 - end.porosity < parameters_.random_packing_density
+                   ? Status::doubtful
+                   : Status::converged;
+      });
 }
 
 std::vector<Variable> FkmGurson::variables()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <fem/laws/corotation.h>
+#include <fem/laws/corotated_response.h>
 #include <fem/laws/expect_value.h>
 #include <fem/laws/modified_cam_clay.h>
 #include <fem/laws/plastic_path.h>
@@ -12,9 +12,6 @@ namespace tamp::fem
 {
 namespace
 {
-/// An increment whose logarithmic stretch is larger than this fails.
-constexpr double largest_strain = 1;
-
 /// The law during one increment. The hardening variable is ln(p_c / p_floor);
 /// a stage's p is the pressure without plastic compaction in it.
 class CamClayIncrement
@@ -170,7 +167,7 @@ bool integrate(const ModifiedCamClayParameters &parameters,
                const ModifiedCamClay::State &old,
                const Corotation &corotation,
                ModifiedCamClay::State &now,
-               Response &response)
+               dealii::SymmetricTensor<4, 3> &tangent)
 {
   const CamClayIncrement law(parameters, 1 / old.relative_density);
   auto point = start_from<Number>(old.stress);
@@ -188,9 +185,9 @@ bool integrate(const ModifiedCamClayParameters &parameters,
   now.plastic_shear += point.plastic_shear;
   now.yielding = point.yielding;
   if constexpr (!std::is_same_v<Number, double>)
-    response.tangent = corotation.tangent(answer);
-  return std::isfinite(now.stress.norm()) &&
-         std::isfinite(response.tangent.norm()) && now.yield_pressure > 0;
+    tangent = corotation.tangent(answer);
+  return std::isfinite(now.stress.norm()) && std::isfinite(tangent.norm()) &&
+         now.yield_pressure > 0;
 }
 } // namespace
 
@@ -249,28 +246,20 @@ Response ModifiedCamClay::respond(const State &old,
                                   const Deformation &deformation,
                                   const Want want) const
 {
-  now = old;
-  Response response{old.stress, {}, old.relative_density, Status::failed};
-  const Corotation corotation(deformation.relative_F);
-  if (!corotation.is_possible() ||
-      corotation.log_stretch().norm() > largest_strain)
-    return response;
-  const bool good =
-      want == Want::stress
-          ? integrate<double>(parameters_, old, corotation, now, response)
-          : integrate<StrainDerivative>(
-                parameters_, old, corotation, now, response);
-  if (!good) {
-    now = old;
-    response.tangent = {};
-    return response;
-  }
-  now.relative_density = old.relative_density / corotation.volume_ratio();
-  response.stress = now.stress;
-  response.relative_density = now.relative_density;
-  response.status =
-      now.relative_density > 1 ? Status::doubtful : Status::converged;
-  return response;
+  return corotated_response(
+      old,
+      now,
+      deformation,
+      [&](const Corotation &corotation, State &end, auto &tangent) {
+        const bool good =
+            want == Want::stress
+                ? integrate<double>(parameters_, old, corotation, end, tangent)
+                : integrate<StrainDerivative>(
+                      parameters_, old, corotation, end, tangent);
+        if (!good)
+          return Status::failed;
+        return end.relative_density > 1 ? Status::doubtful : Status::converged;
+      });
 }
 
 std::vector<Variable> ModifiedCamClay::variables()
