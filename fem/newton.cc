@@ -1,40 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fem/newton.h>
+#include <fem/petsc_check.h>
 
 #include <petscsnes.h>
 
 #include <algorithm>
 #include <exception>
-#include <stdexcept>
 
 namespace tamp::fem
 {
 namespace
 {
-void check(PetscErrorCode code, const char *what)
-{
-  if (code != 0)
-    throw std::runtime_error(std::string("PETSc: ") + what + " failed (error " +
-                             std::to_string(code) + ")");
-}
-
 std::vector<double> copy_of(Vec vector)
 {
   PetscInt size = 0;
   const PetscScalar *entries = nullptr;
-  check(VecGetSize(vector, &size), "reading a vector");
-  check(VecGetArrayRead(vector, &entries), "reading a vector");
+  petsc_check(VecGetSize(vector, &size), "reading a vector");
+  petsc_check(VecGetArrayRead(vector, &entries), "reading a vector");
   std::vector<double> result(entries, entries + size);
-  check(VecRestoreArrayRead(vector, &entries), "reading a vector");
+  petsc_check(VecRestoreArrayRead(vector, &entries), "reading a vector");
   return result;
 }
 
 void fill(Vec vector, const std::vector<double> &values)
 {
   PetscScalar *entries = nullptr;
-  check(VecGetArray(vector, &entries), "filling a vector");
+  petsc_check(VecGetArray(vector, &entries), "filling a vector");
   std::copy(values.begin(), values.end(), entries);
-  check(VecRestoreArray(vector, &entries), "filling a vector");
+  petsc_check(VecRestoreArray(vector, &entries), "filling a vector");
 }
 
 /// SNES with its problem. PETSc is written in C: what a callback throws is kept
@@ -46,28 +39,30 @@ public:
       : problem_(problem), x_(x)
   {
     const auto size = static_cast<PetscInt>(x.size());
-    check(VecCreateSeq(PETSC_COMM_SELF, size, &solution_), "creating a vector");
-    check(VecDuplicate(solution_, &residual_), "creating a vector");
-    check(
+    petsc_check(VecCreateSeq(PETSC_COMM_SELF, size, &solution_),
+                "creating a vector");
+    petsc_check(VecDuplicate(solution_, &residual_), "creating a vector");
+    petsc_check(
         MatCreateShell(PETSC_COMM_SELF, size, size, size, size, this, &matrix_),
         "creating the matrix");
     // SNES multiplies only to ask whether it failed in a local minimum.
-    check(MatShellSetOperation(
-              matrix_, MATOP_MULT, reinterpret_cast<void (*)()>(copy)),
-          "creating the matrix");
-    check(SNESCreate(PETSC_COMM_SELF, &snes_), "creating SNES");
-    check(SNESSetType(snes_, SNESNEWTONLS), "choosing Newton's method");
-    check(SNESSetFunction(snes_, residual_, form_residual, this), "set-up");
-    check(SNESSetJacobian(snes_, matrix_, matrix_, keep_jacobian, this),
-          "set-up");
-    check(SNESSetConvergenceTest(snes_, test, this, nullptr), "set-up");
-    check(
+    petsc_check(MatShellSetOperation(
+                    matrix_, MATOP_MULT, reinterpret_cast<void (*)()>(copy)),
+                "creating the matrix");
+    petsc_check(SNESCreate(PETSC_COMM_SELF, &snes_), "creating SNES");
+    petsc_check(SNESSetType(snes_, SNESNEWTONLS), "choosing Newton's method");
+    petsc_check(SNESSetFunction(snes_, residual_, form_residual, this),
+                "set-up");
+    petsc_check(SNESSetJacobian(snes_, matrix_, matrix_, keep_jacobian, this),
+                "set-up");
+    petsc_check(SNESSetConvergenceTest(snes_, test, this, nullptr), "set-up");
+    petsc_check(
         SNESSetTolerances(snes_, 0, 0, 0, static_cast<PetscInt>(most), 1000000),
         "set-up");
     SNESLineSearch search = nullptr;
-    check(SNESGetLineSearch(snes_, &search), "set-up");
-    check(SNESLineSearchSetType(search, SNESLINESEARCHBASIC), "set-up");
-    check(SNESLineSearchSetPreCheck(search, limit, this), "set-up");
+    petsc_check(SNESGetLineSearch(snes_, &search), "set-up");
+    petsc_check(SNESLineSearchSetType(search, SNESLINESEARCHBASIC), "set-up");
+    petsc_check(SNESLineSearchSetPreCheck(search, limit, this), "set-up");
     set_up_linear_solver();
   }
 
@@ -88,12 +83,12 @@ public:
     const PetscErrorCode code = SNESSolve(snes_, nullptr, solution_);
     if (thrown_)
       std::rethrow_exception(thrown_);
-    check(code, "SNESSolve");
+    petsc_check(code, "SNESSolve");
     NewtonOutcome outcome;
     PetscInt iterations = 0;
     SNESConvergedReason reason = SNES_CONVERGED_ITERATING;
-    check(SNESGetIterationNumber(snes_, &iterations), "asking SNES");
-    check(SNESGetConvergedReason(snes_, &reason), "asking SNES");
+    petsc_check(SNESGetIterationNumber(snes_, &iterations), "asking SNES");
+    petsc_check(SNESGetConvergedReason(snes_, &reason), "asking SNES");
     outcome.iterations = static_cast<unsigned>(iterations);
     outcome.converged = reason > 0;
     if (reason == SNES_DIVERGED_LINEAR_SOLVE)
@@ -111,12 +106,12 @@ private:
   {
     KSP ksp = nullptr;
     PC pc = nullptr;
-    check(SNESGetKSP(snes_, &ksp), "set-up");
-    check(KSPSetType(ksp, KSPPREONLY), "set-up");
-    check(KSPGetPC(ksp, &pc), "set-up");
-    check(PCSetType(pc, PCSHELL), "set-up");
-    check(PCShellSetContext(pc, this), "set-up");
-    check(PCShellSetApply(pc, apply), "set-up");
+    petsc_check(SNESGetKSP(snes_, &ksp), "set-up");
+    petsc_check(KSPSetType(ksp, KSPPREONLY), "set-up");
+    petsc_check(KSPGetPC(ksp, &pc), "set-up");
+    petsc_check(PCSetType(pc, PCSHELL), "set-up");
+    petsc_check(PCShellSetContext(pc, this), "set-up");
+    petsc_check(PCShellSetApply(pc, apply), "set-up");
   }
 
   /// Runs a callback's work; an exception becomes an error code.
@@ -140,7 +135,7 @@ private:
       if (newton.problem_.residual(copy_of(x), residual))
         fill(r, residual);
       else
-        check(SNESSetFunctionDomainError(snes), "telling SNES");
+        petsc_check(SNESSetFunctionDomainError(snes), "telling SNES");
     });
   }
 
@@ -158,7 +153,7 @@ private:
     return newton.guarded([&] {
       std::vector<double> answer(newton.x_.size(), 0.);
       if (!newton.problem_.solve(copy_of(r), answer))
-        check(PCSetFailedReason(pc, PC_SUBPC_ERROR), "telling SNES");
+        petsc_check(PCSetFailedReason(pc, PC_SUBPC_ERROR), "telling SNES");
       fill(y, answer);
     });
   }
@@ -192,7 +187,7 @@ private:
     auto &newton = *static_cast<Newton *>(context);
     return newton.guarded([&] {
       Vec x = nullptr;
-      check(SNESGetSolution(snes, &x), "asking SNES");
+      petsc_check(SNESGetSolution(snes, &x), "asking SNES");
       *reason = newton.problem_.converged(copy_of(x), newton.step_)
                     ? SNES_CONVERGED_FNORM_ABS
                     : SNES_CONVERGED_ITERATING;
