@@ -93,48 +93,51 @@ Fault Press::begin(const Motion &motion, Increment &increment)
   for (std::size_t dof = 0; dof < mesh().number_of_dofs(); ++dof)
     if (!free_[dof])
       increment[dof] = 0;
-  Fault fault;
-  {
-    const StopWatch watch(times_.assembly);
-    fault = compact_.deform(increment);
-  }
-  if (fault.reason.empty()) {
-    const StopWatch watch(times_.material);
-    fault = compact_.evaluate(Want::stress_and_tangent);
-  }
+  const Fault fault = move_powder(increment, Want::stress_and_tangent);
   if (!fault.reason.empty())
     return fault;
   assemble_stiffness();
-  const StopWatch watch(times_.contact);
-  contact_.begin(
-      node_stiffness(), compact_.state().positions, tools_, node_densities());
-  internal_ = compact_.internal_forces();
-  trial_tools_ = tools_after(increment);
-  pair_forces_ = contact_.forces(compact_.trial_positions(), trial_tools_);
+  {
+    const StopWatch watch(times_.contact);
+    contact_.begin(
+        node_stiffness(), compact_.state().positions, tools_, node_densities());
+  }
+  meet_tools(increment);
   return fault;
 }
 
 Fault Press::move(const Increment &increment, Want want)
 {
-  Fault fault;
+  const Fault fault = move_powder(increment, want);
+  if (fault.reason.empty())
+    meet_tools(increment);
+  return fault;
+}
+
+Fault Press::move_powder(const Increment &increment, Want want)
+{
   {
     const StopWatch watch(times_.assembly);
-    fault = compact_.deform(increment);
+    const Fault fault = compact_.deform(increment);
+    if (!fault.reason.empty())
+      return fault;
   }
-  if (fault.reason.empty()) {
+  {
     const StopWatch watch(times_.material);
-    fault = compact_.evaluate(want);
+    const Fault fault = compact_.evaluate(want);
+    if (!fault.reason.empty())
+      return fault;
   }
-  if (!fault.reason.empty())
-    return fault;
-  {
-    const StopWatch watch(times_.assembly);
-    internal_ = compact_.internal_forces();
-  }
+  const StopWatch watch(times_.assembly);
+  internal_ = compact_.internal_forces();
+  return {};
+}
+
+void Press::meet_tools(const Increment &increment)
+{
   const StopWatch watch(times_.contact);
   trial_tools_ = tools_after(increment);
   pair_forces_ = contact_.forces(compact_.trial_positions(), trial_tools_);
-  return fault;
 }
 
 void Press::assemble_stiffness()

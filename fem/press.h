@@ -78,10 +78,12 @@ public:
   /// The trial becomes the accepted state.
   void accept();
 
-  PressTimes &times() { return times_; }
   const PressTimes &times() const { return times_; }
 
 private:
+  /// The powder's part of a trial, then the tools'.
+  Fault move_powder(const Increment &increment, Want want);
+  void meet_tools(const Increment &increment);
   struct Balance;
   Balance balance_after(const std::vector<double> &change,
                         std::vector<double> internal,
