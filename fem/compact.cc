@@ -130,7 +130,6 @@ Fault Compact::deform(std::span<const double> increment)
 
 Fault Compact::evaluate(Want want)
 {
-  ++evaluations_;
   points_.evaluate(trial_.deformations, want, trial_.responses);
   Kind kind = none;
   std::size_t worst = 0;

@@ -80,8 +80,6 @@ public:
   /// The trial becomes the accepted state.
   void accept();
 
-  unsigned evaluations() const { return evaluations_; }
-
 private:
   struct Trial {
     NodePositions positions;
@@ -109,7 +107,6 @@ private:
   CompactState state_;
   std::vector<PointGeometry> committed_, committed_centres_;
   Trial trial_;
-  unsigned evaluations_ = 0;
 };
 } // namespace tamp::fem
 

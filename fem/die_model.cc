@@ -42,21 +42,6 @@ Densities densities(const Compact &compact)
           compact.ranks().largest(largest)};
 }
 
-struct Extent {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  double radius = 0;
-};
-
-Extent extent(const NodePositions &positions)
-{
-  Extent result;
-  for (const auto &x : positions) {
-    result.low = std::min(result.low, x[2]);
-    result.high = std::max(result.high, x[2]);
-    result.radius = std::max(result.radius, std::hypot(x[0], x[1]));
-  }
-  return result;
-}
 } // namespace
 
 std::vector<PointField> variable_fields(const MaterialPoints &points)
@@ -182,7 +167,7 @@ struct DieModel::Implementation {
     record.wall_normal_force = whole * forces[die_wall].normal;
     record.wall_area = whole * forces[die_wall].area;
     record.punch_area = area;
-    record.compact_height = now.high - now.low;
+    record.compact_height = now.height();
     record.compact_radius = now.radius;
     record.mean_relative_density = density.mean;
     record.minimum_relative_density = density.minimum;
@@ -204,8 +189,7 @@ struct DieModel::Implementation {
     const auto &positions = press.compact().state().positions;
     const Extent now = extent(positions);
     for (std::size_t node = 0; node < positions.size(); ++node) {
-      const double share =
-          (positions[node][2] - now.low) / (now.high - now.low);
+      const double share = (positions[node][2] - now.low) / (now.height());
       increment[mesh.axial_dof(node)] =
           (1 - share) * proposal.motion[lower_punch].displacement +
           share * proposal.motion[upper_punch].displacement;

@@ -19,6 +19,7 @@ namespace
 constexpr double smallest_displacement = 5e-3;
 /// Updates without a new best residual after which an attempt is given up.
 constexpr unsigned patience = 6;
+
 double largest(const std::vector<double> &values)
 {
   double result = 0;
@@ -71,23 +72,13 @@ std::string not_converged(const char *why, const Attempt &attempt)
        << ", displacement change " << attempt.displacement_change;
   return text.str();
 }
-
-double height_of(const Mesh &mesh)
-{
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const auto &node : mesh.nodes) {
-    low = std::min(low, node[2]);
-    high = std::max(high, node[2]);
-  }
-  return high - low;
-}
 } // namespace
 
 Equilibrium::Equilibrium(Press &press,
                          const SolverSettings &settings,
                          double largest_increment)
     : press_(press), settings_(settings), largest_increment_(largest_increment),
-      height_(height_of(press.mesh())),
+      height_(extent(press.mesh().nodes).height()),
       increment_(number_of_unknowns(press.mesh()), 0.)
 {
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fem/kinematics.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace tamp::fem
@@ -56,6 +59,19 @@ NodePositions moved(const Mesh &mesh,
   for (std::size_t node = 0; node < result.size(); ++node)
     for (unsigned c = 0; c < mesh.components(); ++c)
       result[node][mesh.axis(c)] += displacement[mesh.dof(node, c)];
+  return result;
+}
+
+Extent extent(const NodePositions &positions)
+{
+  Extent result;
+  result.low = std::numeric_limits<double>::infinity();
+  result.high = -result.low;
+  for (const auto &x : positions) {
+    result.low = std::min(result.low, x[2]);
+    result.high = std::max(result.high, x[2]);
+    result.radius = std::max(result.radius, std::hypot(x[0], x[1]));
+  }
   return result;
 }
 } // namespace tamp::fem

@@ -39,6 +39,16 @@ displacement_gradient(const Mesh &mesh,
                       const unsigned *nodes,
                       std::span<const double> displacement);
 
+/// How far a body reaches [m].
+struct Extent {
+  double low = 0, high = 0; ///< z of its lowest and its highest node
+  double radius = 0;        ///< largest distance from the axis
+
+  double height() const { return high - low; }
+};
+
+Extent extent(const NodePositions &positions);
+
 /// Positions of the nodes moved by a displacement of all degrees of freedom.
 NodePositions moved(const Mesh &mesh,
                     const NodePositions &positions,

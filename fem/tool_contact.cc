@@ -96,7 +96,6 @@ double node_share(const Mesh &mesh,
 }
 } // namespace
 
-/// How a node approaches a tool.
 Vector ToolContact::below_rim(Vector place, Tool tool) const
 {
   if (is_bore(tool))
@@ -104,12 +103,13 @@ Vector ToolContact::below_rim(Vector place, Tool tool) const
   return place;
 }
 
+/// How a node approaches a tool.
 struct ToolContact::Approach {
   SurfacePoint surface;
   bool below_rim = true; ///< no: the surface seen is that at the rim
   bool touches = false;
   double normal = 0; ///< force [N]
-  Vector motion;     ///< of the node relative to the tool since the start [m]
+  Vector motion;     ///< of the node relative to the tool in the increment [m]
   Vector trial;      ///< friction if it sticks [N]
   double limit = 0;  ///< of the friction [N]
   double limit_slope = 0; ///< d limit / d normal [-]
