@@ -33,8 +33,15 @@ Press::Press(const Mesh &mesh,
       system_(mesh, compact_.assembler(), settings.linear, ranks),
       stiffness_(compact_.assembler().pattern())
 {
+  // The tools hold what stress the powder brings.
   internal_ = compact_.internal_forces();
-  pair_forces_.resize(contact_.pairs().size());
+  contact_.begin(std::vector<double>(mesh.nodes.size(), 0.),
+                 mesh.nodes,
+                 tools_,
+                 node_densities());
+  take_reactions();
+  contact_.accept(pair_forces_, mesh.nodes);
+  forces_ = trial_forces();
 }
 
 ToolPositions Press::tools_after(std::span<const double> increment) const

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fem/build_mesh.h>
 #include <fem/die_model.h>
+#include <fem/laws/continuum_points.h>
+#include <fem/laws/elastic.h>
 #include <tests/fem/test_points.h>
 
 #include <cmath>
@@ -229,6 +231,24 @@ TEST(DieModel, StepThatFailsOnceIsCutAndTheRunGoesOn)
   EXPECT_EQ(run.points.commits, run.records.size());
   EXPECT_FALSE(run.points.committed_spoilt);
   EXPECT_NEAR(run.records.back().mean_relative_density, 0.53, 1e-12);
+}
+
+TEST(DieModel, ToolsHoldTheStressThatThePowderBrings)
+{
+  DieSettings settings = default_settings();
+  settings.stages = {press_to_density(0.7)};
+  ElasticParameters parameters;
+  for (unsigned i = 0; i < 3; ++i)
+    parameters.initial_stress[i][i] = -0.5e6;
+  const Mesh mesh = build_mesh(settings.geometry);
+  ContinuumPoints<Elastic> points(Elastic(parameters), mesh.number_of_points());
+  const DieModel model(settings, mesh, points);
+  const StepRecord &start = model.last_step();
+  EXPECT_EQ(start.step, 0u);
+  // Round-off of sums over nodes.
+  EXPECT_NEAR(start.upper_force / start.punch_area / 0.5e6, 1, 1e-12);
+  EXPECT_NEAR(start.lower_force / start.punch_area / 0.5e6, 1, 1e-12);
+  EXPECT_NEAR(start.wall_normal_force / start.wall_area / 0.5e6, 1, 1e-12);
 }
 
 TEST(DieModel, ImpossibleSizesAreRefused)
