@@ -3,7 +3,9 @@
 #include <fem/stop_watch.h>
 
 #include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 
@@ -21,6 +23,40 @@ double reactions(const std::vector<PairForce> &forces)
   for (const PairForce &pair : forces)
     squares += pair.force.norm_square();
   return std::sqrt(squares);
+}
+
+double dot(std::span<const double> a, std::span<const double> b)
+{
+  return std::inner_product(a.begin(), a.end(), b.begin(), 0.);
+}
+
+/// How much of a step helps. The unbalanced forces, times the step, fall along
+/// it and would be negative beyond the place where the energy is least; it ends
+/// where little is left of them. The norm of the forces is no guide: contact is
+/// so much stiffer than powder.
+/// @param pull  unbalanced forces times the step, at a share of it [J]
+template <class Pull>
+double helpful_length(const Pull &pull, double at_begin, double at_end)
+{
+  constexpr double little = 0.1, narrow = 1e-6;
+  if (!(at_begin > 0) || at_end >= -little * at_begin)
+    return 1;
+  double length = 1, left = at_end;
+  std::uintmax_t evaluations = 30;
+  boost::math::tools::toms748_solve(
+      [&](double at) {
+        length = at;
+        return left = pull(at);
+      },
+      0.,
+      1.,
+      at_begin,
+      at_end,
+      [&](double low, double high) {
+        return std::abs(left) <= little * at_begin || high - low <= narrow;
+      },
+      evaluations);
+  return length;
 }
 } // namespace
 
@@ -252,11 +288,8 @@ Press::Balance Press::balance_after(const std::vector<double> &change,
   return result;
 }
 
-bool Press::advance_balance(Balance &now,
-                            const Increment &increment,
-                            bool search)
+bool Press::advance_balance(Balance &now, const Increment &increment)
 {
-  constexpr double shortest = 1. / 256;
   std::vector<double> step(increment.size(), 0.);
   if (!system_.factorise(stiffness_,
                          contact_blocks(now.pairs, now.positions, now.tools),
@@ -264,28 +297,34 @@ bool Press::advance_balance(Balance &now,
       !system_.solve(now.right, step))
     return false;
   const auto force = system_.multiply_powder(stiffness_, step);
-  for (double length = 1;; length *= 0.5) {
+  const auto after = [&](double length) {
     std::vector<double> change = now.change, internal = now.internal;
     for (std::size_t i = 0; i < change.size(); ++i)
       change[i] += length * step[i];
     for (std::size_t i = 0; i < internal.size(); ++i)
       internal[i] += length * force[i];
-    Balance next = balance_after(change, std::move(internal), increment);
-    if (!search || next.rest < (1 - 1e-4 * length) * now.rest ||
-        length <= shortest) {
-      now = std::move(next);
-      return true;
-    }
-  }
+    return balance_after(change, std::move(internal), increment);
+  };
+  Balance next = after(1);
+  const double length = helpful_length(
+      [&](double length) { return dot(after(length).right, step); },
+      dot(now.right, step),
+      dot(next.right, step));
+  if (length < 1)
+    next = after(length);
+  now = std::move(next);
+  return true;
 }
 
 std::vector<double> Press::balance_tools(const Increment &increment)
 {
-  // Full steps find open, stick and slip in a few iterations. If they alternate
-  // for ever, which a bad tangent can cause, only steps that help are taken,
-  // and the best balance found is used if it is much better than none.
-  constexpr unsigned most = 40, full_steps = 10, most_augmentations = 3;
+  // The best balance found is used if it is much better than none.
+  constexpr unsigned most = 40, most_augmentations = 3;
   constexpr double tolerance = 1e-9, tight = 1e-12, useful = 0.5;
+  const auto allowed = [this](const Balance &balance) {
+    return std::max(tolerance * reference_of(balance),
+                    contact_.rounding(balance.pairs));
+  };
   const StopWatch watch(times_.linear_solver);
   Balance now = balance_after(
       std::vector<double>(increment.size(), 0.), internal_, increment);
@@ -293,13 +332,13 @@ std::vector<double> Press::balance_tools(const Increment &increment)
   const double first_rest = now.rest;
   unsigned augmentations = 0;
   for (unsigned iteration = 0; iteration < most; ++iteration) {
-    if (!advance_balance(now, increment, iteration >= full_steps))
+    if (!advance_balance(now, increment))
       return {};
     const bool stalls = now.rest > 0.5 * best.rest;
     if (now.rest <= best.rest)
       best = now;
-    const double rest = best.rest / reference_of(best);
-    if (rest > tolerance || (rest > tight && !stalls))
+    if (best.rest > allowed(best) ||
+        (best.rest > tight * reference_of(best) && !stalls))
       continue;
     if (augmentations == most_augmentations || is_exact(best))
       break;
@@ -308,8 +347,7 @@ std::vector<double> Press::balance_tools(const Increment &increment)
     now = best =
         balance_after(best.change, std::move(best.internal), increment);
   }
-  if (best.rest > tolerance * reference_of(best) &&
-      best.rest > useful * first_rest)
+  if (best.rest > useful * first_rest && best.rest > allowed(best))
     return {};
   contact_.augment(best.pairs);
   snap(best);

@@ -93,7 +93,7 @@ private:
                                            const ToolPositions &tools) const;
   std::vector<double> imbalance_of(std::span<const double> internal,
                                    const std::vector<PairForce> &forces) const;
-  bool advance_balance(Balance &now, const Increment &increment, bool search);
+  bool advance_balance(Balance &now, const Increment &increment);
   double reference_of(const Balance &balance) const;
   bool is_exact(const Balance &balance) const;
   void snap(Balance &balance) const;

@@ -317,6 +317,17 @@ Matrix ToolContact::stiffness(std::size_t pair,
              ((identity() - dealii::outer_product(t, t)) * trial);
 }
 
+double ToolContact::rounding(std::span<const PairForce> forces) const
+{
+  const double distance =
+      std::numeric_limits<double>::epsilon() * touch_ / touching;
+  double squares = 0;
+  for (std::size_t i = 0; i < pairs_.size(); ++i)
+    if (forces[i].status != ContactStatus::open)
+      squares += std::pow(normal_stiffness * stiffness_[i] * distance, 2);
+  return std::sqrt(squares);
+}
+
 void ToolContact::augment(std::span<const PairForce> forces)
 {
   for (std::size_t i = 0; i < pairs_.size(); ++i)

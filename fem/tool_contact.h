@@ -92,6 +92,9 @@ public:
                                  const NodePositions &positions,
                                  const ToolPositions &tools) const;
 
+  /// By how much rounding of positions changes the norm of these forces [N].
+  double rounding(std::span<const PairForce> forces) const;
+
   /// Multipliers become the normal forces: penetrations fall by the ratio of
   /// the stiffnesses of powder and contact.
   void augment(std::span<const PairForce> forces);
