@@ -37,7 +37,9 @@ Values values_of(const fem::DruckerPragerCapParameters &powder)
           {"Cap eccentricity", list(powder.eccentricity.rows().y)},
           {"Hardening densities", list(hardening_density)},
           {"Hydrostatic yield pressure", list(powder.hardening.rows().y)},
-          {"Transition", list({powder.transition})}};
+          {"Transition", list({powder.transition})},
+          {"Dilation",
+           powder.dilation == fem::Dilation::full ? "full" : "bounded"}};
 }
 } // namespace
 

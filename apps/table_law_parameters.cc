@@ -12,6 +12,8 @@ namespace
 {
 constexpr Range a_density{0, 1, true, false};
 constexpr Range a_poissons_ratio{-1, 0.5, true, true};
+/// In the order of fem::Dilation.
+const std::vector<std::string> dilations{"full", "bounded"};
 
 void declare_elasticity(ParameterTable &table)
 {
@@ -142,8 +144,14 @@ void declare_cap(ParameterTable &table)
                  {0, 0.1},
                  "alpha, the size of the arc between shear line and cap; 0: a "
                  "corner");
+  table.choice("Dilation",
+               "full",
+               dilations,
+               "In shear failure: full, after the flow potential of Abaqus, or "
+               "bounded, so that plastic work is positive; of use where "
+               "cohesion is small");
   table.quantity("Integration tolerance",
-                 "1e-3",
+                 "1.5e-4",
                  dimension::number,
                  {0, 1, true, false},
                  "Estimated relative error of stress by which increments are "
@@ -168,6 +176,7 @@ coupling::CapChoice read_cap(const ParameterTable &table)
       table.number(section + "/Initial relative density");
   cap.elasticity = read_elasticity(table, section);
   cap.transition = table.number(section + "/Transition");
+  cap.dilation = chosen<fem::Dilation>(table, section + "/Dilation", dilations);
   cap.integration_tolerance = table.number(section + "/Integration tolerance");
   const std::string shape = section + "/Shape densities";
   cap.relative_density = increasing(table, shape);

@@ -125,6 +125,7 @@ fem::DruckerPragerCapParameters cap_parameters(const CapChoice &choice)
   parameters.reference_density = choice.hardening_density.front();
   parameters.initial_relative_density = choice.initial_relative_density;
   parameters.transition = choice.transition;
+  parameters.dilation = choice.dilation;
   parameters.integration_tolerance = choice.integration_tolerance;
   return parameters;
 }

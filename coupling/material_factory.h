@@ -5,6 +5,7 @@
 #include <coupling/packing_adoption.h>
 #include <dem/deform.h>
 #include <dem/packing.h>
+#include <fem/laws/cap_surface.h>
 #include <fem/laws/fkm_gurson.h>
 #include <fem/laws/modified_cam_clay.h>
 #include <fem/material_points.h>
@@ -56,7 +57,8 @@ struct CapChoice {
   std::vector<double> hardening_density; ///< increasing [-]
   std::vector<double> hydrostatic_yield; ///< p_b [Pa]
   double transition = 0;                 ///< alpha [-]
-  double integration_tolerance = 1e-3;   ///< see the law [-]
+  fem::Dilation dilation = fem::Dilation::full;
+  double integration_tolerance = 1.5e-4; ///< see the law [-]
 };
 
 /// The constants of the law. Throws std::invalid_argument if a table is none.

@@ -65,6 +65,7 @@ DruckerPragerCapParameters parameters()
   result.reference_density = initial_density;
   result.initial_relative_density = initial_density;
   result.transition = 0.02;
+  result.dilation = Dilation::bounded;
   return result;
 }
 } // namespace tamp::fem::agcusnin

@@ -20,7 +20,10 @@ namespace tamp::fem::agcusnin
 /// Where the powder starts and where its plastic strain is zero [-].
 inline constexpr double initial_density = 0.42;
 
-/// All constants of the law; alpha = 0.02.
+/// All constants of the law; alpha = 0.02. Dilation is bounded: with full
+/// dilation plastic work is negative over most of the shear line below p_a / 2,
+/// since p_a tan(beta) is twenty times the cohesion, and an emerging compact
+/// breaks up.
 DruckerPragerCapParameters parameters();
 } // namespace tamp::fem::agcusnin
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fem/laws/cap_increment.h>
-#include <fem/laws/cap_return.h>
+#include <fem/laws/cap_point.h>
 
 #include <algorithm>
 #include <array>
@@ -15,87 +15,8 @@ namespace
 {
 using Surface = DruckerPragerCap::Surface;
 
-/// A part is never shorter than 2^-8 of what it began with.
-constexpr unsigned most_halvings = 8;
-
-using Six = std::array<double, 6>; ///< a tensor, order of SymmetricTensor
-
-/// All that an isotropic law can take from a strain: the derivatives are by
-/// v = -tr(strain), w = s_0 : e and u = e : e, where s_0 is the deviator of the
-/// old stress and e that of the strain.
-using ByInvariants = Sacado::Fad::SFad<double, 3>;
-
-double contract(const Six &a, const Six &b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2] +
-         2 * (a[3] * b[3] + a[4] * b[4] + a[5] * b[5]);
-}
-
-Six entries(const SymmetricTensor<2, 3> &tensor)
-{
-  Six result;
-  for (unsigned k = 0; k < 6; ++k)
-    result[k] = tensor.access_raw_entry(k);
-  return result;
-}
-
-/// What changes during an increment. The deviator of stress stays in the plane
-/// of s_0 and e: s = old_share s_0 + strain_share e.
-template <class Number>
-struct Point {
-  Number old_share;    ///< [-]
-  Number strain_share; ///< [Pa]
-  Number p;            ///< compression positive [Pa]
-  Number compaction;   ///< eps [-]
-  double plastic_shear = 0;
-  Surface surface = Surface::none;
-  CapSurface<ByCompaction> at; ///< the surface at eps
-};
-
-/// The unknown change of compaction with its derivatives, from the implicit
-/// function theorem.
-template <class Number>
-Number lift(const CapTrial<Number> &trial, const CapReturn &found)
-{
-  Number x = found.compaction_change;
-  if constexpr (!std::is_same_v<Number, double>) {
-    const auto residual = return_residual<Number>(
-        carry(found.at, trial.compaction),
-        trial,
-        found.surface == Surface::cap,
-        {Number(found.compaction_change), Number(found.position)});
-    const auto &inverse = found.inverse_jacobian[0];
-    for (unsigned k = 0; k < 3; ++k)
-      x.fastAccessDx(k) =
-          -inverse[0] * residual[0].dx(k) - inverse[1] * residual[1].dx(k);
-  }
-  return x;
-}
-
-/// q / q_trial from the flow rule, in the form that is regular at q_trial = 0
-/// where that is possible.
-template <class Number>
-Number deviator_ratio(const bool on_cap,
-                      const CapSurface<Number> &s,
-                      const CapTrial<Number> &trial,
-                      const Number &p,
-                      const Number &x)
-{
-  using std::sqrt;
-  const Number stiffness = 3. * trial.shear * x / (s.factor * s.factor);
-  if (on_cap) {
-    const Number off = p - s.centre;
-    if (value_of(off) > 0.7 * value_of(s.radius()))
-      return Number(1. /
-                    (1. + stiffness * s.eccentricity * s.eccentricity / off));
-    const Number place = off / s.radius();
-    return Number(s.top() * sqrt(1. - place * place) / trial.q);
-  }
-  const Number off = s.centre - p;
-  if (value_of(off) > 0.5 * value_of(Number(s.centre - s.apex())))
-    return Number(1. / (1. - stiffness / (off * s.tan_beta * s.tan_beta)));
-  return Number(s.shear_limit(p) / trial.q);
-}
+/// A part is never shorter than 2^-10 of the plastic way.
+constexpr unsigned most_halvings = 10;
 
 template <class Number>
 class Increment
@@ -107,7 +28,7 @@ public:
       : parameters_(parameters), tables_(parameters),
         old_(entries(deviator(old.stress))), strain_(entries(deviator(strain))),
         volume_(-trace(strain)), mixed_(contract(old_, strain_)),
-        square_(contract(strain_, strain_)), size_(strain.norm())
+        square_(contract(strain_, strain_))
   {
     if constexpr (!std::is_same_v<Number, double>) {
       volume_.diff(0, 3);
@@ -125,11 +46,12 @@ public:
   /// False if the increment failed.
   bool integrate()
   {
-    const double parts = std::max(
-        1., std::ceil(size_ / parameters_.maximum_strain_increment - 1e-9));
-    for (unsigned i = 0; i < parts; ++i)
-      if (!advance(1 / parts, most_halvings))
-        return false;
+    const auto moduli = tables_.moduli(value_of(point_.compaction));
+    const Number share = elastic_share(moduli);
+    point_.p += moduli.bulk.val() * share * volume_;
+    point_.strain_share += 2 * moduli.shear.val() * share;
+    if (value_of(share) < 1 && !advance(1. - share, most_halvings))
+      return false;
     return std::isfinite(value_of(point_.p)) &&
            std::isfinite(value_of(point_.old_share)) &&
            std::isfinite(value_of(point_.strain_share));
@@ -153,41 +75,117 @@ public:
   }
 
 private:
+  /// The gauge of the surface after an elastic share of the increment, with its
+  /// derivative by the share.
+  ByCompaction gauge_after(const double share,
+                           const CapModuli<ByCompaction> &moduli) const
+  {
+    const double shear = 2 * moduli.shear.val();
+    const Six s = deviator_of(1, shear * share);
+    const double q = std::sqrt(1.5 * contract(s, s)),
+                 rate = moduli.bulk.val() * value_of(volume_);
+    ByCompaction p(1, 0, value_of(point_.p) + share * rate), height(1, 0, q);
+    p.fastAccessDx(0) = rate;
+    height.fastAccessDx(0) = q > 0 ? 1.5 * shear * contract(s, strain_) / q : 0;
+    return carry(point_.at, ByCompaction(value_of(point_.compaction)))
+        .gauge(p, height);
+  }
+
+  /// The share of the increment after which the elastic way leaves the surface,
+  /// 1 if it does not. The gauge of the surface is convex along the way, so
+  /// Newton's method finds the last crossing from outside; it falls to 0 if the
+  /// way starts on the surface and leads out.
+  Number elastic_share(const CapModuli<ByCompaction> &moduli) const
+  {
+    double share = 1, slope = 0;
+    for (unsigned iteration = 0; iteration < 100; ++iteration) {
+      const ByCompaction gauge = gauge_after(share, moduli);
+      if (gauge.val() <= 1 + 1e-14)
+        break;
+      slope = gauge.fastAccessDx(0);
+      const double next = share - (gauge.val() - 1) / slope;
+      if (!(next > 0))
+        return 0.;
+      if (next >= share)
+        break;
+      share = next;
+    }
+    if (share >= 1)
+      return 1.;
+    CapPoint<Number> there = point_; // a Newton step that carries derivatives
+    there.p += moduli.bulk.val() * share * volume_;
+    there.strain_share += 2 * moduli.shear.val() * share;
+    Number result = -1. / slope * gauge(there);
+    if constexpr (!std::is_same_v<Number, double>)
+      result.val() = share;
+    else
+      result = share;
+    return result;
+  }
+
   /// A share of the increment in one part and in two, which makes an answer of
   /// second order and an estimate of error; where that is too large, or a part
-  /// does not converge, the same for its halves.
-  /// @param whole  the share in one part, if it is known.
-  bool advance(const double share,
+  /// does not converge, the same for its halves. Between once and twice the
+  /// tolerance the answer is a mixture of both, so that it is a smooth function
+  /// of the strain.
+  /// @param known  the share in one part, if it is known.
+  bool advance(const Number &share,
                const unsigned halvings,
-               const Point<Number> *known = nullptr)
+               const CapPoint<Number> *known = nullptr)
   {
-    Point<Number> whole = known ? *known : point_;
+    CapPoint<Number> whole = known ? *known : point_;
     bool good = known || part(whole, share);
     if (good && whole.surface == Surface::none) {
       point_ = whole;
       return true;
     }
-    Point<Number> half = point_;
-    const bool half_good = part(half, share / 2);
-    if (half_good && half.surface == Surface::none && halvings > 0) {
-      // One part and two would agree, however far they flow.
-      point_ = half;
-      return advance(share / 2, halvings - 1);
+    CapPoint<Number> half = point_;
+    const bool half_good = part(half, 0.5 * share);
+    CapPoint<Number> both = half;
+    good = good && half_good && part(both, 0.5 * share);
+    const Number size = good ? excess(whole, both, share) : Number(2.);
+    if (good && (value_of(size) <= 1 || halvings == 0)) {
+      point_ = joined(whole, both);
+      is_resolved_ = is_resolved_ && value_of(size) <= 1;
+      return true;
     }
-    Point<Number> both = half;
-    good = good && half_good && part(both, share / 2);
-    if (good) {
-      const bool exact =
-          difference(whole, both) <= parameters_.integration_tolerance;
-      if (exact || halvings == 0) {
-        point_ = joined(whole, both);
-        is_resolved_ = is_resolved_ && exact;
-        return true;
-      }
+    if (halvings == 0 ||
+        !advance(0.5 * share, halvings - 1, half_good ? &half : nullptr) ||
+        !advance(0.5 * share, halvings - 1))
+      return false;
+    if (value_of(size) < 2) {
+      const Number over = size - 1.;
+      point_ = mixed(
+          point_, joined(whole, both), 1. - over * over * (3. - 2. * over));
     }
-    return halvings > 0 &&
-           advance(share / 2, halvings - 1, half_good ? &half : nullptr) &&
-           advance(share / 2, halvings - 1);
+    return true;
+  }
+
+  /// What is too large if it is above 1: the difference of two stresses, over
+  /// its tolerance, or the strain. A hundredth of the size of the surface is
+  /// added to the stress so that stresses close to zero need no better.
+  Number excess(const CapPoint<Number> &one,
+                const CapPoint<Number> &two,
+                const Number &share) const
+  {
+    using std::sqrt;
+    const auto norm = [this, &two](const Number &old_share,
+                                   const Number &strain_share,
+                                   const Number &p) {
+      const Number q = deviatoric(old_share, strain_share, two.at);
+      const Number square = q * q / 1.5 + 3. * p * p;
+      return value_of(square) > 0 ? Number(sqrt(square)) : Number(0.);
+    };
+    const auto s = carry(two.at, two.compaction);
+    const Number difference = norm(one.old_share - two.old_share,
+                                   one.strain_share - two.strain_share,
+                                   one.p - two.p) /
+                              (norm(two.old_share, two.strain_share, two.p) +
+                               0.01 * (s.radius() + s.strength)) /
+                              parameters_.integration_tolerance;
+    const Number size = share * sqrt(square_ + volume_ * volume_ / 3.) /
+                        parameters_.maximum_strain_increment;
+    return value_of(size) > value_of(difference) ? size : difference;
   }
 
   Six deviator_of(const double old_share, const double strain_share) const
@@ -197,55 +195,58 @@ private:
       s[k] = old_share * old_[k] + strain_share * strain_[k];
     return s;
   }
-  Six deviator_of(const Point<Number> &point) const
+  Six deviator_of(const CapPoint<Number> &point) const
   {
     return deviator_of(value_of(point.old_share), value_of(point.strain_share));
   }
 
-  /// Of two stresses, over their norm; a hundredth of the size of the surface
-  /// is added so that stresses close to zero need no better.
-  double difference(const Point<Number> &a, const Point<Number> &b) const
+  /// (1 - share) one + share two, drawn in the direction of the surface's
+  /// centre to where the same holds for the gauge.
+  CapPoint<Number> mixed(const CapPoint<Number> &one,
+                         const CapPoint<Number> &two,
+                         const Number &share)
   {
-    Six s = deviator_of(a);
-    const Six t = deviator_of(b);
-    const double p = value_of(b.p),
-                 size = value_of(b.at.radius()) + value_of(b.at.strength);
-    const double norm = std::sqrt(contract(t, t) + 3 * p * p) + 0.01 * size;
-    for (unsigned k = 0; k < 6; ++k)
-      s[k] -= t[k];
-    const double off = value_of(a.p) - p;
-    return std::sqrt(contract(s, s) + 3 * off * off) / norm;
+    const auto mix = [&share](const auto &a, const auto &b) {
+      return Number(a + share * (b - a));
+    };
+    CapPoint<Number> point = two;
+    point.old_share = mix(one.old_share, two.old_share);
+    point.strain_share = mix(one.strain_share, two.strain_share);
+    point.p = mix(one.p, two.p);
+    point.compaction = mix(one.compaction, two.compaction);
+    point.plastic_shear = value_of(mix(one.plastic_shear, two.plastic_shear));
+    point.at = tables_.surface(value_of(point.compaction));
+    const Number target =
+        one.surface != Surface::none && two.surface != Surface::none
+            ? Number(1.)
+            : mix(gauge(one), gauge(two));
+    const Number ratio =
+        (value_of(target) < 1 ? target : Number(1.)) / gauge(point);
+    const auto s = carry(point.at, point.compaction);
+    point.old_share *= ratio;
+    point.strain_share *= ratio;
+    point.p = s.centre + (point.p - s.centre) * ratio;
+    return point;
+  }
+
+  Number gauge(const CapPoint<Number> &point) const
+  {
+    return carry(point.at, point.compaction)
+        .gauge(point.p,
+               deviatoric(point.old_share, point.strain_share, point.at));
   }
 
   /// From the same share in one part and in two, each with an error of second
-  /// order in it: what has one of third order, drawn to the surface. Where the
-  /// branches differ the two parts stand.
-  Point<Number> joined(const Point<Number> &one, const Point<Number> &two)
+  /// order in it: what has one of third order.
+  CapPoint<Number> joined(const CapPoint<Number> &one,
+                          const CapPoint<Number> &two)
   {
-    if (two.surface == Surface::none ||
-        (one.surface == Surface::cap) != (two.surface == Surface::cap))
-      return two;
-    Point<Number> point = two;
-    point.old_share = 2. * two.old_share - one.old_share;
-    point.strain_share = 2. * two.strain_share - one.strain_share;
-    point.p = 2. * two.p - one.p;
-    point.compaction = 2. * two.compaction - one.compaction;
-    point.plastic_shear = 2 * two.plastic_shear - one.plastic_shear;
-    point.at = tables_.surface(value_of(point.compaction));
-    const auto s = carry(point.at, point.compaction);
-    const bool on_cap = two.surface == Surface::cap;
-    if (on_cap != (value_of(point.p) > value_of(s.centre)))
-      return two;
-    const Number q = deviatoric(point.old_share, point.strain_share, point.at);
-    const Number ratio = s.draw(point.p, q);
-    point.old_share *= ratio;
-    point.strain_share *= ratio;
-    return point;
+    return mixed(one, two, Number(2.));
   }
 
   /// One backward Euler part. False, and nothing changed, if the return did
   /// not meet its tolerance.
-  bool part(Point<Number> &point, const double share)
+  bool part(CapPoint<Number> &point, const Number &share)
   {
     CapTrial<Number> trial;
     const auto moduli = tables_.moduli(value_of(point.compaction));
@@ -341,8 +342,7 @@ private:
   CapTables tables_;
   const Six old_, strain_;
   Number volume_, mixed_, square_; ///< v, w, u
-  const double size_;
-  Point<Number> point_;
+  CapPoint<Number> point_;
   bool is_resolved_ = true;
 };
 

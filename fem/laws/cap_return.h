@@ -45,7 +45,7 @@ CapReturn return_to_surface(CapTables &tables,
 ///   (q_trial - c A sin(t)) cos(t) - 3 G x R_c / c sin(t) = 0;
 /// on shear and transition:
 ///   q - q_limit(p) = 0,
-///   3 G x q / c^2 + (q_trial - q) (p_a - p) tan^2(beta) = 0,
+///   3 G x q / c^2 + (q_trial - q) dilation(p, q) = 0,
 /// with p = p_trial - K x and x the change of compaction.
 /// @param s  the surface at the compaction of the end.
 template <class Number>
@@ -64,10 +64,9 @@ std::array<Number, 2> return_residual(const CapSurface<Number> &s,
             Number((trial.q - s.top() * sine) * cosine -
                    3. * trial.shear * x * s.eccentricity / s.factor * sine)};
   }
-  return {
-      Number(position - s.shear_limit(p)),
-      Number(3. * trial.shear * x * position / (s.factor * s.factor) +
-             (trial.q - position) * (s.centre - p) * s.tan_beta * s.tan_beta)};
+  return {Number(position - s.shear_limit(p)),
+          Number(3. * trial.shear * x * position / (s.factor * s.factor) +
+                 (trial.q - position) * s.dilation(p, position))};
 }
 } // namespace tamp::fem
 

@@ -10,7 +10,8 @@ CapSurface<ByCompaction> CapTables::surface(const double compaction)
                                    friction_angle_(density),
                                    eccentricity_(density),
                                    hardening_(eps),
-                                   parameters_.transition});
+                                   parameters_.transition,
+                                   parameters_.dilation});
 }
 
 CapModuli<ByCompaction> CapTables::moduli(const double compaction)

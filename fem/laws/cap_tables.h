@@ -79,6 +79,7 @@ CapSurface<Number> carry(const CapSurface<ByCompaction> &surface,
   result.cohesion = carry(surface.cohesion, compaction);
   result.eccentricity = carry(surface.eccentricity, compaction);
   result.transition = surface.transition;
+  result.dilation_rule = surface.dilation_rule;
   result.tan_beta = carry(surface.tan_beta, compaction);
   result.inverse_cosine = carry(surface.inverse_cosine, compaction);
   result.centre = carry(surface.centre, compaction);
