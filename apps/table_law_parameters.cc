@@ -145,7 +145,7 @@ void declare_cap(ParameterTable &table)
                  "alpha, the size of the arc between shear line and cap; 0: a "
                  "corner");
   table.choice("Dilation",
-               "full",
+               "bounded",
                dilations,
                "In shear failure: full, after the flow potential of Abaqus, or "
                "bounded, so that plastic work is positive; of use where "

@@ -57,7 +57,7 @@ struct CapChoice {
   std::vector<double> hardening_density; ///< increasing [-]
   std::vector<double> hydrostatic_yield; ///< p_b [Pa]
   double transition = 0;                 ///< alpha [-]
-  fem::Dilation dilation = fem::Dilation::full;
+  fem::Dilation dilation = fem::Dilation::bounded;
   double integration_tolerance = 1.5e-4; ///< see the law [-]
 };
 
