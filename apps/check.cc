@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <apps/check_sections.h>
 #include <apps/commands.h>
-#include <apps/parameter_table.h>
-#include <apps/powder.h>
+#include <apps/input_table.h>
 #include <fem/punch_area.h>
 
 #include <deal.II/base/mpi.h>
@@ -237,11 +236,7 @@ void say_all(const ParameterTable &table,
 int check_input(const RunOptions &options)
 {
   ParameterTable table;
-  declare_parameters(table);
-  table.read(options.input);
-  for (const std::string &setting : options.settings)
-    table.set(setting);
-  take_powder(table);
+  read_table(options, table);
   CheckReport report;
   try {
     say_all(table, options, report);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <apps/build_facts.h>
-#include <apps/parameter_table.h>
-#include <apps/powder.h>
+#include <apps/input_table.h>
 #include <apps/run_session.h>
 
 #include <algorithm>
@@ -116,11 +115,7 @@ RunSession::RunSession(const std::string &command,
     : place_(place), plots_(options.plots && place.first())
 {
   ParameterTable table;
-  declare_parameters(table);
-  table.read(options.input);
-  for (const std::string &setting : options.settings)
-    table.set(setting);
-  take_powder(table);
+  read_table(options, table);
   input_ = read_input(table, need);
   check_ranks(input_.material.kind, place);
   record_.command = command;

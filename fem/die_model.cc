@@ -167,7 +167,8 @@ struct DieModel::Implementation {
     record.wall_normal_force = whole * forces[die_wall].normal;
     record.wall_area = whole * forces[die_wall].area;
     record.punch_area = area;
-    record.compact_height = now.height();
+    record.compact_height = mean_height(mesh, upper_punch, positions) -
+                            mean_height(mesh, lower_punch, positions);
     record.compact_radius = now.radius;
     record.mean_relative_density = density.mean;
     record.minimum_relative_density = density.minimum;

@@ -28,7 +28,7 @@ struct StepRecord {
   double wall_normal_force = 0;   ///< [N]
   double wall_area = 0;           ///< in contact [m2]
   double punch_area = 0;          ///< [m2]
-  double compact_height = 0;      ///< from its lowest to its highest node [m]
+  double compact_height = 0;      ///< between the punch faces, mean [m]
   double compact_radius = 0;      ///< largest distance from the axis [m]
   double mean_relative_density = 0;
   double minimum_relative_density = 0;

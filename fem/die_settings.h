@@ -81,7 +81,9 @@ struct SolverSettings {
   /// the punch presses: zero stress is an equilibrium, too.
   bool guard_against_opening = false;
   bool f_bar = false; ///< free of locking near full density, see Compact
-  LinearSettings linear;
+  /// The tools are balanced by repeated solutions, each of what is left over:
+  /// an iterative one need not be sharp, and the balance is all the same.
+  LinearSettings linear{.tolerance = 1e-3};
 };
 
 struct DieSettings {

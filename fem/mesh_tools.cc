@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fem/mesh_tools.h>
+#include <fem/smooth_chain.h>
 #include <fem/tool_profiles.h>
 
 #include <algorithm>
@@ -85,11 +86,11 @@ Chain outward_chain(const Mesh &mesh, Tool tool)
   return chain;
 }
 
-/// A profile through these nodes.
+/// A smooth profile through these nodes.
 ToolSurface turned(const Chain &chain, Tool tool)
 {
   try {
-    return ToolSurface::revolved(Profile(chain));
+    return ToolSurface::revolved(smooth_chain(chain));
   } catch (const std::invalid_argument &error) {
     complain(tool, ": ", error.what());
   }

@@ -8,7 +8,8 @@
 namespace tamp::fem
 {
 /// The tools around a mesh, read off their faces. In an axisymmetric mesh each
-/// is the chain of its edges; the wall and the core rod go on vertically, the
+/// is a smooth curve through its nodes with sharp corners, see smooth_chain();
+/// the wall and the core rod go on vertically, the
 /// punches straight on. In space the wall is a circular cylinder or a rectangle
 /// along the axes about the z axis, whose corners may be rounded by arcs of one
 /// radius, the core rod a circular cylinder, and the punches are planes, all

@@ -45,22 +45,22 @@ double size_of(const std::vector<Point> &corners)
   return size;
 }
 
-std::vector<double> radius_of_each(const std::vector<Point> &corners,
-                                   const std::vector<double> &radii,
-                                   bool closed)
+std::vector<double> size_of_each(const std::vector<Point> &corners,
+                                 const std::vector<double> &sizes,
+                                 bool closed)
 {
   // A closed chain names its first corner twice: at its end it is an inner one.
   const std::size_t inner = corners.size() - (closed ? 1 : 2);
-  if (!radii.empty() && radii.size() != inner)
+  if (!sizes.empty() && sizes.size() != inner)
     throw std::invalid_argument("profile: there are " +
-                                std::to_string(radii.size()) +
+                                std::to_string(sizes.size()) +
                                 " radii; expected one for each of the " +
                                 std::to_string(inner) + " inner corners");
   std::vector<double> result(corners.size(), 0.);
-  for (std::size_t i = 0; i < radii.size(); ++i) {
-    if (!(radii[i] >= 0))
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    if (!(sizes[i] >= 0))
       complain("a negative radius", corners[i + 1], "zero or more");
-    result[i + 1] = radii[i];
+    result[i + 1] = sizes[i];
   }
   return result;
 }
@@ -68,7 +68,8 @@ std::vector<double> radius_of_each(const std::vector<Point> &corners,
 
 struct Profile::Corner {
   Point position;
-  double radius;
+  double size; ///< of its arc: see what
+  Size what;
 
   Point direction_to(const Corner &other) const
   {
@@ -90,16 +91,40 @@ struct Profile::Corner {
   /// Can powder touch both of its sides at once?
   bool is_hollow(const Corner &before, const Corner &after) const
   {
-    return !(radius > 0) && turn_between(before, after) > 0;
+    return !(size > 0) && turn_between(before, after) > 0;
   }
   /// Between the corner and the ends of its arc [m].
   double tangent_length(const Corner &before, const Corner &after) const
   {
-    return radius * std::tan(std::abs(turn_between(before, after)) / 2);
+    return what == Size::tangent ? size : size * half_turn(before, after);
+  }
+  double radius(const Corner &before, const Corner &after) const
+  {
+    return what == Size::radius ? size : size / half_turn(before, after);
+  }
+
+private:
+  /// Tangent of half the angle by which a chain turns here.
+  double half_turn(const Corner &before, const Corner &after) const
+  {
+    return std::tan(std::abs(turn_between(before, after)) / 2);
   }
 };
 
 Profile::Profile(std::vector<Point> corners, std::vector<double> radii)
+    : Profile(corners, radii, Size::radius)
+{
+}
+
+Profile Profile::with_tangents(std::vector<Point> corners,
+                               const std::vector<double> &lengths)
+{
+  return Profile(corners, lengths, Size::tangent);
+}
+
+Profile::Profile(const std::vector<Point> &corners,
+                 const std::vector<double> &sizes,
+                 Size what)
 {
   if (corners.size() < 2)
     throw std::invalid_argument("profile: there are " +
@@ -111,10 +136,10 @@ Profile::Profile(std::vector<Point> corners, std::vector<double> radii)
   size_ = size_of(corners);
   slack_ = 1e-12 * size_;
   const bool closed = corners.size() > 2 && corners.front() == corners.back();
-  radii = radius_of_each(corners, radii, closed);
+  const auto size = size_of_each(corners, sizes, closed);
   std::vector<Corner> all;
   for (std::size_t i = 0; i < corners.size(); ++i)
-    all.push_back({corners[i], radii[i]});
+    all.push_back({corners[i], size[i], what});
   if (closed) {
     all.erase(all.begin());
     // A closed chain begins and ends where it bends.
@@ -189,9 +214,16 @@ void Profile::join(const std::vector<Corner> &corners, bool closed)
     const Point incoming = chain.before(i).direction_to(corner);
     const Point outgoing = corner.direction_to(chain.after(i));
     const double left = turn(incoming, outgoing) > 0 ? 1 : -1;
-    const Point centre = corner.position - trim[i] * incoming +
-                         left * corner.radius * left_of(incoming);
-    arcs_.push_back({centre, incoming, outgoing, corner.radius, -left, {}});
+    const double radius = corner.radius(chain.before(i), chain.after(i));
+    const Point begin = corner.position - trim[i] * incoming;
+    arcs_.push_back({begin,
+                     corner.position + trim[i] * outgoing,
+                     begin + left * radius * left_of(incoming),
+                     incoming,
+                     outgoing,
+                     radius,
+                     -left,
+                     {}});
     if (!chain.is_hollow(i))
       arcs_.back().face = face[i];
   }
@@ -225,13 +257,26 @@ ProfilePoint Profile::Line::seen_from(const Point &position) const
   return result;
 }
 
+/// Measured from where the arc begins, since rounding would cost the difference
+/// of two long ways from the centre of a flat one.
+double Profile::Arc::distance_of(const Point &position) const
+{
+  const Point offset = position - begin;
+  const Point outward = side * left_of(incoming);
+  const double length = (position - centre).norm();
+  if (!(length + radius > 0))
+    return 0;
+  return side * (offset * offset + 2 * radius * (offset * outward)) /
+         (length + radius);
+}
+
 ProfilePoint Profile::Arc::seen_from(const Point &position,
                                      double smallest) const
 {
   const Point offset = position - centre;
   const double length = offset.norm();
   ProfilePoint result;
-  result.distance = side * (length - radius);
+  result.distance = distance_of(position);
   if (length > smallest) {
     result.normal = side / length * offset;
     result.curvature = side / length;
@@ -276,12 +321,11 @@ ProfilePoint Profile::closest(const Point &position,
     }
   }
   for (const Arc &candidate : arcs_) {
-    const Point offset = position - candidate.centre;
     if ((face && candidate.face != face) ||
-        offset * candidate.incoming < -slack_ ||
-        offset * candidate.outgoing > slack_)
+        (position - candidate.begin) * candidate.incoming < -slack_ ||
+        (position - candidate.end) * candidate.outgoing > slack_)
       continue;
-    const double gap = offset.norm() - candidate.radius;
+    const double gap = candidate.distance_of(position);
     if (gap * gap < smallest) {
       smallest = gap * gap;
       arc = &candidate;

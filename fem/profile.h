@@ -35,6 +35,12 @@ public:
   /// between its neighbours, or if the chain turns back on itself.
   explicit Profile(std::vector<Point> corners, std::vector<double> radii = {});
 
+  /// The same with arcs that begin and end at these distances from their
+  /// corners [m], as many as there would be radii: so can arcs be joined that
+  /// are as flat as one likes. Zero: sharp.
+  static Profile with_tangents(std::vector<Point> corners,
+                               const std::vector<double> &lengths);
+
   /// The closest place of the profile, as seen from `position`; one of them if
   /// several are. The curvature is that of the offset curve through `position`,
   /// so that the normal's derivative is exact: of an arc 1 / (distance from its
@@ -62,17 +68,22 @@ private:
   };
   /// A rounded or sharp corner.
   struct Arc {
-    Point centre;
+    Point begin, end, centre;
     Point incoming, outgoing;     ///< unit tangents at the ends
     double radius;                ///< zero: sharp [m]
     double side;                  ///< 1: powder outside the circle, -1: inside
     std::optional<unsigned> face; ///< none: divides two
 
+    double distance_of(const Point &position) const;
     ProfilePoint seen_from(const Point &position, double smallest) const;
   };
+  enum class Size { radius, tangent };
   struct Corner;
   struct Chain;
 
+  Profile(const std::vector<Point> &corners,
+          const std::vector<double> &sizes,
+          Size size);
   void join(const std::vector<Corner> &corners, bool closed);
   ProfilePoint closest(const Point &position,
                        const std::optional<unsigned> &face) const;

@@ -3,22 +3,55 @@
 
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace tamp::fem
 {
-double punch_area(const Mesh &mesh, Tool punch)
+namespace
+{
+/// The area of a punch's faces shared out to all nodes of the mesh, so that the
+/// integral of what is linear over an edge is exact [m2].
+std::vector<double> node_areas(const Mesh &mesh, Tool punch)
 {
   const auto &faces = mesh.tools[punch].faces;
-  double area = 0;
+  std::vector<double> areas(mesh.nodes.size(), 0.);
   for (std::size_t i = 0; i < faces.size(); i += mesh.nodes_per_face()) {
     const auto corner = [&](unsigned a) { return mesh.nodes[faces[i + a]]; };
-    if (mesh.is_axisymmetric())
-      area += std::numbers::pi * std::abs(corner(1)[0] * corner(1)[0] -
-                                          corner(0)[0] * corner(0)[0]);
-    else
-      area += 0.5 * std::abs(dealii::cross_product_3d(
-                        corner(3) - corner(0), corner(2) - corner(1))[2]);
+    if (mesh.is_axisymmetric()) {
+      const double inner = corner(0)[0], outer = corner(1)[0];
+      const double third = std::numbers::pi / 3 * std::abs(outer - inner);
+      areas[faces[i]] += third * (2 * inner + outer);
+      areas[faces[i + 1]] += third * (inner + 2 * outer);
+      continue;
+    }
+    const double area =
+        0.5 * std::abs(dealii::cross_product_3d(corner(3) - corner(0),
+                                                corner(2) - corner(1))[2]);
+    for (unsigned a = 0; a < 4; ++a)
+      areas[faces[i + a]] += 0.25 * area;
   }
-  return area * mesh.multiplicity();
+  for (double &area : areas)
+    area *= mesh.multiplicity();
+  return areas;
+}
+} // namespace
+
+double punch_area(const Mesh &mesh, Tool punch)
+{
+  const auto areas = node_areas(mesh, punch);
+  return std::accumulate(areas.begin(), areas.end(), 0.);
+}
+
+double mean_height(const Mesh &mesh,
+                   Tool punch,
+                   const std::vector<dealii::Tensor<1, 3>> &positions)
+{
+  const auto areas = node_areas(mesh, punch);
+  double area = 0, sum = 0;
+  for (std::size_t node = 0; node < areas.size(); ++node) {
+    area += areas[node];
+    sum += areas[node] * positions[node][2];
+  }
+  return sum / area;
 }
 } // namespace tamp::fem

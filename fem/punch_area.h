@@ -4,11 +4,22 @@
 
 #include <fem/mesh.h>
 
+#include <deal.II/base/tensor.h>
+
+#include <vector>
+
 namespace tamp::fem
 {
 /// Area of the faces that a punch touches at the start, seen along the pressing
 /// axis, of the whole compact [m2].
 double punch_area(const Mesh &mesh, Tool punch);
+
+/// Mean height of the surface that a punch touched at the start, weighted by
+/// the area it had then, when its nodes are at `positions` [m]. What happens at
+/// an edge, such as a lip there, counts as little as its area.
+double mean_height(const Mesh &mesh,
+                   Tool punch,
+                   const std::vector<dealii::Tensor<1, 3>> &positions);
 } // namespace tamp::fem
 
 #endif

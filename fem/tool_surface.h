@@ -71,7 +71,7 @@ using ToolSurfaces = std::array<std::optional<ToolSurface>, number_of_tools>;
 /// the core rod has no ends. The punches go straight on beyond the bore. A
 /// square's wall is the whole square, whatever the section. For shape `file`
 /// the tools are read off the mesh, of which nothing else is used: each is a
-/// profile through the nodes of its faces, see fem/mesh_tools.h. Throws
+/// smooth surface through the nodes of its faces, see fem/mesh_tools.h. Throws
 /// std::invalid_argument like DieGeometry::check(), std::runtime_error if the
 /// mesh's tools have another shape.
 ToolSurfaces make_tools(const DieGeometry &geometry, const Mesh &mesh);

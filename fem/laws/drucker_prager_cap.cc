@@ -3,7 +3,7 @@
 #include <fem/laws/cap_tables.h>
 #include <fem/laws/corotated_response.h>
 #include <fem/laws/drucker_prager_cap.h>
-#include <fem/laws/expect_value.h>
+#include <fem/require.h>
 
 #include <algorithm>
 #include <array>
@@ -41,53 +41,52 @@ double deviatoric_stress(const SymmetricTensor<2, 3> &stress)
 void DruckerPragerCapParameters::check() const
 {
   elasticity.check();
-  expect_value(cohesion.smallest() >= 0,
-               "cohesion [Pa]",
-               cohesion.smallest(),
-               "not below 0");
-  expect_value(friction_angle.smallest() > 0,
-               "friction angle [rad]",
-               friction_angle.smallest(),
-               "above 0");
-  expect_value(friction_angle.largest() < 1.5,
-               "friction angle [rad]",
-               friction_angle.largest(),
-               "below 1.5 (86 degrees)");
-  expect_value(eccentricity.smallest() > 0,
-               "cap eccentricity [-]",
-               eccentricity.smallest(),
-               "above 0");
-  expect_value(hardening.smallest() > 0,
-               "hydrostatic yield pressure [Pa]",
-               hardening.smallest(),
-               "above 0");
-  expect_value(hardening.is_increasing(),
-               "hydrostatic yield pressure [Pa], from",
-               hardening.smallest(),
-               "a table that does not decrease");
-  expect_value(reference_density > 0 && reference_density < 1,
-               "reference density [-]",
-               reference_density,
-               "between 0 and 1");
-  expect_value(initial_relative_density > 0 && initial_relative_density <= 1,
-               "initial relative density [-]",
-               initial_relative_density,
-               "above 0 and up to 1");
-  expect_value(transition >= 0 && transition <= 0.1 &&
-                   1 + transition -
-                           transition / std::cos(friction_angle.largest()) >
-                       0.1,
-               "transition alpha [-]",
-               transition,
-               "from 0 to 0.1 and below 0.9 / (1 / cos(beta) - 1)");
-  expect_value(maximum_strain_increment > 0,
-               "maximum strain increment [-]",
-               maximum_strain_increment,
-               "above 0");
-  expect_value(integration_tolerance > 0,
-               "integration tolerance [-]",
-               integration_tolerance,
-               "above 0");
+  require(cohesion.smallest() >= 0,
+          "cohesion [Pa]",
+          cohesion.smallest(),
+          "not below 0");
+  require(friction_angle.smallest() > 0,
+          "friction angle [rad]",
+          friction_angle.smallest(),
+          "above 0");
+  require(friction_angle.largest() < 1.5,
+          "friction angle [rad]",
+          friction_angle.largest(),
+          "below 1.5 (86 degrees)");
+  require(eccentricity.smallest() > 0,
+          "cap eccentricity [-]",
+          eccentricity.smallest(),
+          "above 0");
+  require(hardening.smallest() > 0,
+          "hydrostatic yield pressure [Pa]",
+          hardening.smallest(),
+          "above 0");
+  require(hardening.is_increasing(),
+          "hydrostatic yield pressure [Pa], from",
+          hardening.smallest(),
+          "a table that does not decrease");
+  require(reference_density > 0 && reference_density < 1,
+          "reference density [-]",
+          reference_density,
+          "between 0 and 1");
+  require(initial_relative_density > 0 && initial_relative_density <= 1,
+          "initial relative density [-]",
+          initial_relative_density,
+          "above 0 and up to 1");
+  require(transition >= 0 && transition <= 0.1 &&
+              1 + transition - transition / std::cos(friction_angle.largest()) >
+                  0.1,
+          "transition alpha [-]",
+          transition,
+          "from 0 to 0.1 and below 0.9 / (1 / cos(beta) - 1)");
+  require(maximum_strain_increment > 0,
+          "maximum strain increment [-]",
+          maximum_strain_increment,
+          "above 0");
+  require(integration_tolerance > 0,
+          "integration tolerance [-]",
+          integration_tolerance,
+          "above 0");
 }
 
 DruckerPragerCap::DruckerPragerCap(const DruckerPragerCapParameters &parameters)

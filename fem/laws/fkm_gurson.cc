@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fem/laws/corotated_response.h>
-#include <fem/laws/expect_value.h>
 #include <fem/laws/fkm_gurson.h>
 #include <fem/laws/plastic_path.h>
+#include <fem/require.h>
 
 #include <algorithm>
 #include <array>
@@ -219,43 +219,43 @@ bool integrate(const FkmGursonParameters &parameters,
 
 void FkmGursonParameters::check() const
 {
-  expect_value(solid_yield_stress > 0 && std::isfinite(solid_yield_stress),
-               "solid yield stress [Pa]",
-               solid_yield_stress,
-               "above 0");
-  expect_value(solid_youngs_modulus > 0 && std::isfinite(solid_youngs_modulus),
-               "solid Young's modulus [Pa]",
-               solid_youngs_modulus,
-               "above 0");
-  expect_value(solid_poissons_ratio > -1 && solid_poissons_ratio < 0.5,
-               "solid Poisson's ratio [-]",
-               solid_poissons_ratio,
-               "between -1 and 0.5");
-  expect_value(elastic_exponent >= 0 && elastic_exponent <= 50,
-               "elastic exponent [-]",
-               elastic_exponent,
-               "from 0 to 50");
-  expect_value(random_packing_density > 0 &&
-                   random_packing_density < FkmGurson::blend_begin,
-               "random packing density [-]",
-               random_packing_density,
-               "above 0 and below 0.77");
-  expect_value(initial_relative_density > 0 && initial_relative_density < 1,
-               "initial relative density [-]",
-               initial_relative_density,
-               "above 0 and below 1");
-  expect_value(yield_floor > 0 && yield_floor <= 0.1,
-               "yield floor [-]",
-               yield_floor,
-               "above 0 and up to 0.1");
-  expect_value(vertex_rounding > 0 && vertex_rounding <= 0.1,
-               "vertex rounding [-]",
-               vertex_rounding,
-               "above 0 and up to 0.1");
-  expect_value(integration_tolerance > 0 && integration_tolerance <= 0.01,
-               "integration tolerance [-]",
-               integration_tolerance,
-               "above 0 and up to 0.01");
+  require(solid_yield_stress > 0 && std::isfinite(solid_yield_stress),
+          "solid yield stress [Pa]",
+          solid_yield_stress,
+          "above 0");
+  require(solid_youngs_modulus > 0 && std::isfinite(solid_youngs_modulus),
+          "solid Young's modulus [Pa]",
+          solid_youngs_modulus,
+          "above 0");
+  require(solid_poissons_ratio > -1 && solid_poissons_ratio < 0.5,
+          "solid Poisson's ratio [-]",
+          solid_poissons_ratio,
+          "between -1 and 0.5");
+  require(elastic_exponent >= 0 && elastic_exponent <= 50,
+          "elastic exponent [-]",
+          elastic_exponent,
+          "from 0 to 50");
+  require(random_packing_density > 0 &&
+              random_packing_density < FkmGurson::blend_begin,
+          "random packing density [-]",
+          random_packing_density,
+          "above 0 and below 0.77");
+  require(initial_relative_density > 0 && initial_relative_density < 1,
+          "initial relative density [-]",
+          initial_relative_density,
+          "above 0 and below 1");
+  require(yield_floor > 0 && yield_floor <= 0.1,
+          "yield floor [-]",
+          yield_floor,
+          "above 0 and up to 0.1");
+  require(vertex_rounding > 0 && vertex_rounding <= 0.1,
+          "vertex rounding [-]",
+          vertex_rounding,
+          "above 0 and up to 0.1");
+  require(integration_tolerance > 0 && integration_tolerance <= 0.01,
+          "integration tolerance [-]",
+          integration_tolerance,
+          "above 0 and up to 0.01");
 }
 
 FkmGurson::FkmGurson(const FkmGursonParameters &parameters)

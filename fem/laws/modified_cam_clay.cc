@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fem/laws/corotated_response.h>
-#include <fem/laws/expect_value.h>
 #include <fem/laws/modified_cam_clay.h>
 #include <fem/laws/plastic_path.h>
+#include <fem/require.h>
 
 #include <algorithm>
 #include <array>
@@ -193,38 +193,36 @@ bool integrate(const ModifiedCamClayParameters &parameters,
 
 void ModifiedCamClayParameters::check() const
 {
-  expect_value(critical_state_slope > 0 && critical_state_slope < 3,
-               "critical state slope [-]",
-               critical_state_slope,
-               "above 0 and below 3");
-  expect_value(
-      swelling_index > 0, "swelling index [-]", swelling_index, "above 0");
-  expect_value(compression_index > swelling_index &&
-                   std::isfinite(compression_index),
-               "compression index [-]",
-               compression_index,
-               "above the swelling index");
-  expect_value(poissons_ratio > -1 && poissons_ratio < 0.5,
-               "Poisson's ratio [-]",
-               poissons_ratio,
-               "between -1 and 0.5");
-  expect_value(initial_relative_density > 0 && initial_relative_density <= 1,
-               "initial relative density [-]",
-               initial_relative_density,
-               "above 0 and up to 1");
-  expect_value(initial_yield_pressure > 0 &&
-                   std::isfinite(initial_yield_pressure),
-               "initial yield pressure [Pa]",
-               initial_yield_pressure,
-               "above 0");
-  expect_value(floor_pressure > 0 && std::isfinite(floor_pressure),
-               "floor pressure [Pa]",
-               floor_pressure,
-               "above 0");
-  expect_value(integration_tolerance > 0 && integration_tolerance <= 0.01,
-               "integration tolerance [-]",
-               integration_tolerance,
-               "above 0 and up to 0.01");
+  require(critical_state_slope > 0 && critical_state_slope < 3,
+          "critical state slope [-]",
+          critical_state_slope,
+          "above 0 and below 3");
+  require(swelling_index > 0, "swelling index [-]", swelling_index, "above 0");
+  require(compression_index > swelling_index &&
+              std::isfinite(compression_index),
+          "compression index [-]",
+          compression_index,
+          "above the swelling index");
+  require(poissons_ratio > -1 && poissons_ratio < 0.5,
+          "Poisson's ratio [-]",
+          poissons_ratio,
+          "between -1 and 0.5");
+  require(initial_relative_density > 0 && initial_relative_density <= 1,
+          "initial relative density [-]",
+          initial_relative_density,
+          "above 0 and up to 1");
+  require(initial_yield_pressure > 0 && std::isfinite(initial_yield_pressure),
+          "initial yield pressure [Pa]",
+          initial_yield_pressure,
+          "above 0");
+  require(floor_pressure > 0 && std::isfinite(floor_pressure),
+          "floor pressure [Pa]",
+          floor_pressure,
+          "above 0");
+  require(integration_tolerance > 0 && integration_tolerance <= 0.01,
+          "integration tolerance [-]",
+          integration_tolerance,
+          "above 0 and up to 0.01");
 }
 
 ModifiedCamClay::ModifiedCamClay(const ModifiedCamClayParameters &parameters)

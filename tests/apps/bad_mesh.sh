@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Wrong meshes and geometries are refused before anything is written, by a run
 # or a check: exit code 2, one message with entry, file, what is wrong
-# and where. Usage: bad_mesh.sh TAMP
+# and where. Usage: bad_mesh.sh TAMP cells|files|geometry
 . "$(dirname "$(realpath "$0")")/expect.sh"
 
 # mesh OPTION=1...: bad.msh, three by three squares of 2 mm, but for what the
@@ -132,6 +132,8 @@ refused() {
 }
 bad() { refused die.prm:6 'Die/Mesh file' bad.msh "$@" --; }
 
+case $2 in
+cells)
 # The mesh that all others spoil can be pressed.
 mesh
 "$tamp" die die.prm -o good --no-plots -q || fail "the sound mesh"
@@ -154,6 +156,9 @@ mesh binary=1
 bad 'binary' 'gmsh -bin 0'
 solid_mesh 5 1 2 3 4 5 6 7 8
 bad 'die_wall goes through' 'cylinder' 'rectangle'
+;;
+
+files)
 mesh
 head -c 500 bad.msh > cut.msh
 mv cut.msh bad.msh
@@ -169,6 +174,9 @@ expect 2 'Schedule/Stages' 'stage 1' '0.007' '0.006 m high' 'expected less' -- \
   "$tamp" die die.prm -o results \
   --set 'Schedule/Stages = press to displacement 7 mm'
 
+;;
+
+geometry)
 printf 'DefineConstant[ R = {6e-3, Name "radius"}, nr = 4 ];\nPoint(1) = {;\n' \
   > bad.geo
 geometry=(--set 'Die/Mesh file = bad.geo')
@@ -179,6 +187,9 @@ refused 'bad.geo' "'R 5'" 'name = number' -- \
 if command -v gmsh > /dev/null; then
   refused 'bad.geo' 'gmsh cannot mesh' 'line 2' -- "${geometry[@]}"
 fi
+;;
+*) fail "no part $2" ;;
+esac
 [ ! -e results ] || fail "results were written"
 
 echo "$failures failures"

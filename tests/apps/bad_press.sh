@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Wrong tables, tools and schedules are refused before anything is written, by a
 # run or a check; what is only found while pressing ends the run with
-# exit code 3 and leaves the results so far. Usage: bad_press.sh TAMP
+# exit code 3 and leaves the results so far.
+# Usage: bad_press.sh TAMP tables|friction|tools|schedules|pressing
 . "$(dirname "$(realpath "$0")")/expect.sh"
 
 cat > die.prm << 'END'
@@ -36,7 +37,9 @@ refused() {
 }
 law='Material/Drucker-Prager cap'
 
-# Tables.
+case $2 in
+
+tables)
 refused "$law/Hardening densities = 0.3, 0.5, 0.4, 0.6, 0.7, 0.8, 0.85, 0.9, \
 0.95, 0.97, 0.99" -- '0.5, 0.4' 'increase'
 expect 2 "$law/Young" "expected 2 values" "one for each of $law/Elastic" -- \
@@ -47,6 +50,9 @@ refused "$law/Cohesion = -1, 0, 0, 0, 0, 0, 0, 0, 0, 0 MPa" -- '-1' '>= 0'
 refused "$law/Friction angle = 54, 68, 68, 68, 68, 67, 66, 66, 65, 63 mm" -- \
   'mm' 'an angle'
 refused "$law/Initial relative density = 1.2" -- '1.2' '<= 1'
+;;
+
+friction)
 refused 'Die/Wall friction coefficient = -0.1' -- '-0.1' 'not negative'
 refused 'Die/Wall friction coefficient = of density 0.3: 0.5, 0.5; 0.2' -- \
   "'0.5; 0.2'" 'place: mu'
@@ -59,7 +65,9 @@ refused 'Die/Wall friction coefficient = of pressure 1 mm: 0.5, 2 MPa: 0.2' -- \
 refused 'Die/Punch friction coefficient = of heat 1: 0.5' -- \
   "'of density'" "'of pressure'"
 
-# Tools and shapes.
+;;
+
+tools)
 refused 'Die/Upper punch = concave 8 MPa' -- "'8 MPa' is a pressure" "expected a length"
 refused 'Die/Upper punch = bevel 0.4 mm 30' -- 'bevel 0.4 mm 30' 'angle'
 refused 'Die/Upper punch = round 8 mm' -- 'round' 'concave R'
@@ -82,7 +90,10 @@ done
 [ ! -e results ] || fail "results were written"
 refused 'Die/Elements = 0, 4' -- 'whole numbers > 0'
 
-# Schedules that cannot be done, as far as that can be known before.
+;;
+
+# What cannot be done, as far as that can be known before.
+schedules)
 refused 'Schedule/Stages = press to displacement 8 mm' -- 'stage 1' \
   '0.008' '0.007' 'expected less'
 refused 'Schedule/Stages = press both to displacement 4 mm' -- 'stage 1' \
@@ -101,6 +112,9 @@ for command in die check; do
 done
 [ ! -e results ] || fail "results were written"
 
+;;
+
+pressing)
 # found_while_pressing FOLDER STAGES TEXT...: exit code 3 and the reason; what
 # was reached can be read.
 found_while_pressing() {
@@ -133,6 +147,9 @@ expect 2 'Schedule/Stages' -- "$tamp" die die.prm -o results --force \
   --set 'Schedule/Stages = press to density 1.2'
 [ "$(cat results/curve.csv)" = precious ] && [ "$(ls results)" = curve.csv ] ||
   fail "the results were changed"
+;;
+*) fail "no part $2" ;;
+esac
 
 echo "$failures failures"
 [ "$failures" -eq 0 ]

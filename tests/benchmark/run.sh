@@ -39,29 +39,42 @@ for program in $programs; do
   awk -f "$here/rows.awk" "$scratch/$program.json" >>"$lines"
 done
 
-# run_die NAME EXAMPLE [OPTION...]: wall time of a die example, cell updates per
-# load step, and where the time went, from its run.json. Runs if FILTER matches
-# any name of its rows.
+# run_die NAME RANKS INPUT [OPTION...]: wall time of a die, cell updates per load
+# step, seconds per update (of laws: a step of Newton's method), and where the
+# time went, from its run.json. Runs if FILTER matches any name of its rows.
 run_die() {
+  name=$1
+  ranks=$2
+  input=$3
+  shift 3
   parts="packing material assembly contact linear_solver model"
-  printf "%s\n" "$1.wall" "$1.cell_updates_per_step" "$1.time." |
+  printf "%s\n" "$name.wall" "$name.cell_updates_per_step" \
+    "$name.seconds_per_update" "$name.time." |
     grep -Eq -- "${filter:-.}" || return 0
-  "$build/apps/tamp" die "$root/apps/examples/$2/$2.prm" \
-    -o "$scratch/$2" -q --no-plots "${@:3}"
+  set -- "$build/apps/tamp" die "$input" -o "$scratch/$name" -q --no-plots "$@"
+  [ "$ranks" -eq 1 ] || set -- mpirun -np "$ranks" --oversubscribe "$@"
+  "$@"
   value() {
-    sed -n "s/^ *\"$1\": \([0-9.eE+-]*\),*\$/\1/p" "$scratch/$2/run.json"
+    sed -n "s/^ *\"$1\": \([0-9.eE+-]*\),*\$/\1/p" "$scratch/$name/run.json"
   }
+  updates=$(value 'cell_updates_per_step\[-\]')
   {
-    echo "$1.wall,$(value 'wall_time\[s\]' "$2"),s"
-    echo "$1.cell_updates_per_step,$(value 'cell_updates_per_step\[-\]' "$2"),-"
+    echo "$name.wall,$(value 'wall_time\[s\]'),s"
+    echo "$name.cell_updates_per_step,$updates,-"
+    echo "$(value 'time_model\[s\]') $(value 'steps\[-\]') $updates" |
+      awk -v name="$name" \
+        '{ printf "%s.seconds_per_update,%.4g,s\n", name, $1 / ($2 * $3) }'
     for part in $parts; do
-      seconds=$(value "time_$part\[s\]" "$2")
-      [ -z "$seconds" ] || echo "$1.time.$part,$seconds,s"
+      seconds=$(value "time_$part\[s\]")
+      [ -z "$seconds" ] || echo "$name.time.$part,$seconds,s"
     done
   } >>"$lines"
 }
-run_die die_dpc mcc_tablet --set "Die/Elements = 28, 50" --threads 1
-run_die die_default die_default
+examples=$root/apps/examples
+run_die die_dpc 1 "$examples/mcc_tablet/mcc_tablet.prm" \
+  --set "Die/Elements = 28, 50" --threads 1
+run_die die_3d 2 "$here/die_3d.prm" --threads 1
+run_die die_default 1 "$examples/die_default/die_default.prm"
 
 # The processor, its clock if the system knows it, and how many.
 machine() {

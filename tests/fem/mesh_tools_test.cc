@@ -154,14 +154,14 @@ TEST(MeshTools, OfAStepFollowTheStep)
   EXPECT_NEAR(distance(tools, die_wall, 3.7e-3, 0, 3.4e-3), 5e-4, rounding);
 }
 
-TEST(MeshTools, OfADomeAreItsChords)
+TEST(MeshTools, OfADomeIsTheDome)
 {
   DieGeometry die;
   die.upper_face = {PunchFace::Kind::concave, 8e-3, 0, 0};
   die.lower_face = {PunchFace::Kind::convex, 20e-3, 0, 0};
   Mesh mesh = cylinder();
   mesh.tools[upper_punch] = mesh.tools[lower_punch] = {};
-  constexpr unsigned sides = 60;
+  constexpr unsigned sides = 6;
   Line lower, upper;
   for (unsigned i = 0; i <= sides; ++i) {
     const double r = die.radius * i / sides;
@@ -172,8 +172,7 @@ TEST(MeshTools, OfADomeAreItsChords)
   add_line(mesh, upper_punch, upper);
   const ToolSurfaces read = tools_of_mesh(mesh);
   const ToolSurfaces built_in = make_tools(die, {});
-  // Height of the steepest arc, (0.1 mm / cos(48.6 degrees))^2 / (8 * 8 mm).
-  constexpr double tolerance = 3.6e-7;
+  constexpr double tolerance = 1e-15; // rounding of lengths of some mm
   for (const double r : {0., 1e-5, 1.23e-3, 4.56e-3, 5.6e-3})
     for (const double off : {-2e-4, 0., 1e-5, 3e-4})
       for (const Tool tool : {upper_punch, lower_punch}) {
