@@ -132,6 +132,11 @@ std::uint64_t write_checkpoint(const fs::path &folder,
     }
   };
   attempt([&] {
+    std::error_code error;
+    fs::create_directories(folder, error);
+    if (error)
+      throw FileError("cannot make the folder '" + folder.string() +
+                      "': " + error.message());
     out.emplace(file, first_line);
     out->add(bytes_of(title));
     out->add(state);

@@ -19,12 +19,13 @@ struct CheckpointTitle {
   unsigned step = 0;
 };
 
-/// Writes `folder`/step_NNNN.tamp: the title, `state` of the first rank, then
-/// the committed state of every point, in the order of the ranks. Of older
-/// checkpoints the newest one is kept, the others are removed; so are those of
-/// later steps, from before a run went back. Collective; the first rank writes.
-/// There it throws FileError if that is not possible, in which case the older
-/// ones are as they were. @return bytes written, on the first rank.
+/// Makes the folder if need be and writes `folder`/step_NNNN.tamp: the title,
+/// `state` of the first rank, then the committed state of every point, in the
+/// order of the ranks. Of older checkpoints the newest one is kept, the others
+/// are removed; so are those of later steps, from before a run went back.
+/// Collective; the first rank writes. There it throws FileError if that is not
+/// possible, in which case the older ones are as they were. @return bytes
+/// written, on the first rank.
 std::uint64_t write_checkpoint(const std::filesystem::path &folder,
                                const CheckpointTitle &title,
                                std::span<const char> state,

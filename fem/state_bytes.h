@@ -76,6 +76,8 @@ public:
     text.assign(letters.begin(), letters.end());
   }
 
+  /// What has not been read yet.
+  std::span<const char> rest() const { return rest_; }
   bool empty() const { return rest_.empty(); }
 
 private:
