@@ -25,6 +25,8 @@ std::map<std::string, std::string> entries_of(const std::string &input)
   std::istringstream lines(input);
   for (std::string line; std::getline(lines, line);) {
     line.erase(0, std::min(line.size(), line.find_first_not_of(' ')));
+    if (const auto unit = line.rfind(" # ["); unit != std::string::npos)
+      line.erase(unit, 2);
     if (line.starts_with("subsection "))
       sections.push_back(line.substr(11) + "/");
     else if (line == "end" && !sections.empty())

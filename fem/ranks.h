@@ -41,8 +41,8 @@ public:
   void spread(std::span<double> values, unsigned from = 0) const;
   /// Replaces bytes, as many as there are, by those of one rank on all.
   void spread(std::vector<char> &bytes, unsigned from = 0) const;
-  /// Takes the bytes that one rank has to another one; both must call, the
-  /// others may. What `from` has is of no use afterwards.
+  /// Copies the bytes of one rank to another one; both must call, the others
+  /// may and keep what they have.
   void move(std::vector<char> &bytes, unsigned from, unsigned to) const;
 
 private:
