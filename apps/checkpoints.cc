@@ -17,6 +17,8 @@ Checkpoints::Checkpoints(RunSession &session, const fem::Ranks &ranks)
     : session_(session), ranks_(ranks)
 {
   watch_checkpoint_signal();
+  if (session.found())
+    last_step_ = session.found()->title.step;
 }
 
 bool Checkpoints::due() const
@@ -31,7 +33,9 @@ void Checkpoints::write(unsigned step,
                         std::span<const char> state,
                         const fem::MaterialPoints &points)
 {
-  if (last_step_ == step)
+  // The first rank knows; one that is there is not written again.
+  const bool there = session_.place().first() && last_step_ == step;
+  if (ranks_.largest(there ? 1 : 0) > 0)
     return;
   const Clock::time_point start = Clock::now();
   try {

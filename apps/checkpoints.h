@@ -35,7 +35,7 @@ private:
   RunSession &session_;
   const fem::Ranks &ranks_;
   Clock::time_point last_ = Clock::now();
-  std::optional<unsigned> last_step_; ///< that was written
+  std::optional<unsigned> last_step_; ///< of the newest one
 };
 } // namespace tamp::apps
 
