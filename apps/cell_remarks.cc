@@ -72,4 +72,38 @@ void CellRemarks::give() const
   if (!line.empty())
     session_.log().say(line);
 }
+
+void CellRemarks::pack(std::vector<char> &bytes) const
+{
+  fem::append_state(bytes, findings_.size());
+  for (const auto &[kind, finding] : findings_) {
+    fem::append_state(bytes, kind);
+    fem::append_state(
+        bytes,
+        std::vector<std::size_t>(finding.cells.begin(), finding.cells.end()));
+    fem::append_state(bytes, finding.worst.value);
+    fem::append_state(bytes, finding.worst.bound);
+    fem::append_state(bytes, finding.worst.text);
+    fem::append_state(bytes, finding.worst_place);
+  }
+}
+
+void CellRemarks::go_on(fem::StateBytes &stored)
+{
+  std::size_t count = 0;
+  stored.take(count);
+  while (count-- > 0) {
+    Kind kind{};
+    stored.take(kind);
+    Finding &finding = findings_[kind];
+    std::vector<std::size_t> cells;
+    stored.take(cells);
+    finding.cells.insert(cells.begin(), cells.end());
+    finding.worst.kind = kind;
+    stored.take(finding.worst.value);
+    stored.take(finding.worst.bound);
+    stored.take(finding.worst.text);
+    stored.take(finding.worst_place);
+  }
+}
 } // namespace tamp::apps

@@ -40,6 +40,10 @@ public:
   /// both only if there is more than one cell and something to say.
   void give() const;
 
+  /// Appends all that was found so far; go_on() takes it up.
+  void pack(std::vector<char> &bytes) const;
+  void go_on(fem::StateBytes &stored);
+
 private:
   struct Finding {
     std::set<std::size_t> cells;

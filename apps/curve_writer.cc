@@ -16,14 +16,43 @@ CurveWriter::CurveWriter(const std::filesystem::path &file,
                          const std::vector<std::string> &remarks)
     : file_(file), columns_(header.size())
 {
-  descriptor_ =
-      ::open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644);
-  if (descriptor_ < 0)
-    throw OutputError(fmt::format(
-        "'{}' cannot be written: {}", file.string(), std::strerror(errno)));
+  open(O_CREAT | O_TRUNC);
   for (const std::string &remark : remarks)
     append("# " + remark + "\n");
   append(fmt::format("{}\n", fmt::join(header, ",")));
+}
+
+CurveWriter::CurveWriter(const std::filesystem::path &file,
+                         std::size_t columns,
+                         std::uint64_t size)
+    : file_(file), columns_(columns)
+{
+  open(O_APPEND);
+  complete_ = static_cast<off_t>(size);
+  const off_t there = ::lseek(descriptor_, 0, SEEK_END);
+  if (there < complete_ || ::ftruncate(descriptor_, complete_) != 0) {
+    const std::string problem =
+        there < complete_
+            ? fmt::format(
+                  "it has {} bytes, at the checkpoint it had {}", there, size)
+            : std::strerror(errno);
+    ::close(descriptor_);
+    throw OutputError(
+        fmt::format("'{}' cannot be continued: {}", file.string(), problem));
+  }
+}
+
+void CurveWriter::open(int flags)
+{
+  descriptor_ = ::open(file_.c_str(), O_WRONLY | O_CLOEXEC | flags, 0644);
+  if (descriptor_ < 0)
+    throw OutputError(fmt::format(
+        "'{}' cannot be written: {}", file_.string(), std::strerror(errno)));
+}
+
+void CurveWriter::sync() const
+{
+  ::fsync(descriptor_); // pipes and the like cannot, and need not
 }
 
 CurveWriter::~CurveWriter()

@@ -2,6 +2,7 @@
 #ifndef apps_curve_writer_h
 #define apps_curve_writer_h
 
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <stdexcept>
@@ -27,6 +28,11 @@ public:
   CurveWriter(const std::filesystem::path &file,
               const std::vector<std::string> &header,
               const std::vector<std::string> &remarks = {});
+  /// Goes on with a file of as many columns: what stands in it after `size`
+  /// bytes is removed. Throws OutputError, also if it has fewer.
+  CurveWriter(const std::filesystem::path &file,
+              std::size_t columns,
+              std::uint64_t size);
   ~CurveWriter();
   CurveWriter(const CurveWriter &) = delete;
   CurveWriter &operator=(const CurveWriter &) = delete;
@@ -35,7 +41,13 @@ public:
   /// OutputError.
   void write(std::span<const double> values);
 
+  /// Bytes of all lines so far.
+  std::uint64_t size() const { return static_cast<std::uint64_t>(complete_); }
+  /// Has all lines on the disk, as far as the system can tell.
+  void sync() const;
+
 private:
+  void open(int flags);
   void append(const std::string &line);
 
   std::filesystem::path file_;

@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <apps/cell_remarks.h>
+#include <apps/checkpoints.h>
 #include <apps/commands.h>
 #include <apps/die_maps.h>
 #include <apps/die_output.h>
 #include <apps/die_plots.h>
 #include <apps/die_results.h>
+#include <apps/die_words.h>
 #include <apps/interrupt.h>
 #include <apps/mpi_run.h>
 #include <apps/recorded_points.h>
 #include <apps/run_material.h>
 #include <apps/schedule.h>
+#include <apps/stored_die.h>
 #include <apps/units.h>
 #include <fem/die_model.h>
 #include <fem/stop_watch.h>
@@ -29,24 +32,7 @@ namespace
 {
 using fem::StageKind;
 
-// Cells packed below this pressure may collapse in the first steps.
-constexpr double safe_start_pressure = 0.5e6;
 constexpr double force_floor_share = 0.1;
-
-// Steps that each stage will need, roughly: for the time left.
-std::vector<double> expected_steps(const fem::DieSettings &die)
-{
-  std::vector<double> steps;
-  for (const fem::Stage &stage : die.stages) {
-    double guess = 30;
-    if (stage.kind == StageKind::press)
-      guess = 0.35 / die.steps.maximum;
-    if (stage.kind == StageKind::hold)
-      guess = stage.steps;
-    steps.push_back(std::max(guess, 1.));
-  }
-  return steps;
-}
 
 class DieRun
 {
@@ -54,20 +40,30 @@ public:
   DieRun(RunSession &session, const fem::Ranks &ranks)
       : session_(session), ranks_(ranks), settings_(session.input().die),
         mesh_(session.input().mesh.mesh),
-        material_(prepare_material(session, number_of_own_points())),
-        points_(*material_.points),
+        material_(session.resumes()
+                      ? stand_ins(session, number_of_own_points())
+                      : prepare_material(session, number_of_own_points())),
+        points_(*material_.points), stored_(session, ranks),
         model_(
             settings_,
             mesh_,
             points_,
             [this](unsigned stage, double peak) { begin(stage, peak); },
-            ranks),
+            ranks,
+            stored_.model),
         output_(session, model_, points_, material_.cells),
-        steps_(expected_steps(settings_))
+        checkpoints_(session, ranks)
   {
+    if (session.resumes()) {
+      go_on();
+      return;
+    }
     if (session.place().first())
-      curve_ = std::make_unique<CurveWriter>(
-          session.folder().path() / "curve.csv", die_header(), remarks());
+      curve_ =
+          std::make_unique<CurveWriter>(session.folder().path() / "curve.csv",
+                                        die_header(),
+                                        stage_remarks(settings_));
+    output_.begin();
   }
 
   RunEnd work()
@@ -103,8 +99,10 @@ private:
         mesh_.number_of_points(),
         settings_.stages.size(),
         ranks_.size() > 1 ? fmt::format(", on {} ranks", ranks_.size()) : ""));
-    take_step();
-    write_output(0, true);
+    if (!session_.resumes()) {
+      take_step();
+      write_output(0, true);
+    }
     const RunEnd end = advance();
     log.end();
     write_output(model_.last_step().step, true);
@@ -115,8 +113,10 @@ private:
   {
     while (true) {
       // The ranks do not catch a signal in the same step.
-      if (const auto signal = static_cast<int>(ranks_.largest(caught_signal()));
-          signal != 0)
+      const auto signal = static_cast<int>(ranks_.largest(caught_signal()));
+      if (checkpoints_.due() || signal != 0)
+        write_checkpoint();
+      if (signal != 0)
         return RunSession::interrupted(signal);
       switch (model_.advance()) {
       case fem::Advance::finished:
@@ -131,19 +131,56 @@ private:
     }
   }
 
+  // The parts of the run in the order in which a checkpoint has them.
+  void write_checkpoint()
+  {
+    std::vector<char> bytes;
+    if (curve_)
+      curve_->sync();
+    fem::append_state(bytes, curve_ ? curve_->size() : 0);
+    fem::append_state(bytes, time_so_far());
+    fem::append_state(bytes, time_output_);
+    fem::append_state(bytes, stage_);
+    fem::append_state(bytes, force_floor_);
+    fem::append_state(bytes, results_);
+    output_.pack(bytes);
+    cell_remarks_.pack(bytes);
+    maps_.pack(bytes);
+    session_.pack(bytes);
+    std::vector<char> state;
+    fem::append_state(state, bytes);
+    model_.pack(state);
+    checkpoints_.write(model_.last_step().step, state, points_);
+  }
+
+  void go_on()
+  {
+    coupling::unpack_points(session_.found(), points_, ranks_);
+    fem::StateBytes stored(stored_.run);
+    std::uint64_t curve_size = 0;
+    stored.take(curve_size);
+    stored.take(time_before_);
+    stored.take(time_output_);
+    stored.take(stage_);
+    stored.take(force_floor_);
+    stored.take(results_);
+    if (session_.place().first())
+      curve_ =
+          std::make_unique<CurveWriter>(session_.folder().path() / "curve.csv",
+                                        die_header().size(),
+                                        curve_size);
+    output_.go_on(stored);
+    cell_remarks_.go_on(stored);
+    maps_.go_on(stored);
+    session_.go_on(stored);
+    if (material_.cells)
+      material_.cells->set_force_floor(force_floor_);
+  }
+
   void write_output(unsigned step, bool must)
   {
     const fem::StopWatch watch(time_output_);
     output_.write(step, must);
-  }
-
-  std::vector<std::string> remarks() const
-  {
-    std::vector<std::string> lines{"compression is positive"};
-    for (std::size_t i = 0; i < settings_.stages.size(); ++i)
-      lines.push_back(fmt::format(
-          "stage {}: {}", i + 1, name_of(settings_.stages[i].kind)));
-    return lines;
   }
 
   const fem::Stage &stage_at(unsigned number) const
@@ -169,15 +206,16 @@ private:
         session_.input().material.packing.sizes.mean_diameter;
     const bool turning =
         kind(stage) == StageKind::unload || kind(stage) == StageKind::eject;
-    material_.cells->set_force_floor(
-        turning ? force_floor_share * peak_pressure * diameter * diameter : 0);
+    force_floor_ =
+        turning ? force_floor_share * peak_pressure * diameter * diameter : 0;
+    material_.cells->set_force_floor(force_floor_);
   }
 
   void take_step()
   {
     const fem::StepRecord &record = model_.last_step();
     StepEffort effort;
-    effort.wall_time = session_.log().progress().elapsed();
+    effort.wall_time = time_so_far();
     if (material_.cells) {
       effort.evaluations = material_.cells->report().mean_evaluations;
       effort.worst_unbalance = material_.cells->report().worst_unbalance;
@@ -191,8 +229,10 @@ private:
       judge_cells(record);
     if (results_.at_peak())
       maps_.take_peak(mesh_, model_);
-    session_.log().step(
-        share(record), record.step, "steps", line(record, effort));
+    session_.log().step(share_done(settings_, record),
+                        record.step,
+                        "steps",
+                        line(record, effort));
   }
 
   void judge_cells(const fem::StepRecord &record)
@@ -221,79 +261,32 @@ private:
         0 - std::log(determinant(model_.deformation_gradients()[point])));
   }
 
-  double share(const fem::StepRecord &record) const
-  {
-    double done = 0, all = 0;
-    for (std::size_t i = 0; i < steps_.size(); ++i) {
-      all += steps_[i];
-      if (i < record.stage)
-        done += steps_[i];
-      if (i == record.stage)
-        done += steps_[i] * std::clamp(record.stage_progress, 0., 1.);
-    }
-    return done / all;
-  }
-
   std::string line(const fem::StepRecord &record,
                    const StepEffort &effort) const
   {
-    const auto mega = [](double force, double area) {
-      return area > 0 ? force / area / 1e6 + 0. : 0;
-    };
-    std::string text = fmt::format(
-        "step {:4d}  {:<6} density {:.4f}  upper {:.4g}  lower {:.4g}  wall "
-        "{:.4g} MPa  iterations {}  updates {}  residual {:.1e}",
-        record.step,
-        name_of(kind(record.stage)),
-        record.mean_relative_density,
-        mega(record.upper_force, record.punch_area),
-        mega(record.lower_force, record.punch_area),
-        mega(record.wall_normal_force, record.wall_area),
-        record.iterations,
-        record.material_updates,
-        record.force_residual);
-    if (material_.cells)
-      text += fmt::format("  evaluations {:.0f}  unbalance {:.1e}",
-                          effort.evaluations,
-                          effort.worst_unbalance);
-    if (record.cuts > 0)
-      text += fmt::format("  cuts {}", record.cuts);
-    if (record.doubtful_points > 0)
-      text += fmt::format("  doubtful points {}", record.doubtful_points);
-    if (share(record) > 0.02)
-      text +=
-          "  left " + duration(session_.log().progress().left(share(record)));
+    std::string text = step_line(
+        record, kind(record.stage), material_.cells ? &effort : nullptr);
+    const double share = share_done(settings_, record);
+    if (share > 0.02)
+      text += "  left " + duration(session_.log().progress().left(share));
     return text;
   }
 
-  std::string describe(const fem::Failure &failure) const
+  std::string describe(fem::Failure failure) const
   {
-    if (failure.kind == fem::FailureKind::impossible)
-      return failure.reason;
-    const auto &stress = failure.stress;
-    return fmt::format(
-        "the step after step {} ({}) did not converge: {}. Worst is point {} "
-        "at r = {:.4g} mm, z = {:.4g} mm with stress rr {:.4g}, tt {:.4g}, zz "
-        "{:.4g}, rz {:.4g} MPa (compression positive). {} may help",
-        model_.last_step().step,
-        name_of(kind(stage_)),
-        reason(failure),
-        failure.point,
-        1e3 * failure.position[0],
-        1e3 * failure.position[2],
-        (0 - stress[0][0]) / 1e6,
-        (0 - stress[1][1]) / 1e6,
-        (0 - stress[2][2]) / 1e6,
-        (0 - stress[0][2]) / 1e6,
-        material_.cells ? "Smaller steps (Solver/Maximum step), a higher "
-                          "Packing/Pressure or more grains"
-                        : "Smaller steps (Solver/Maximum step)");
+    failure.reason = reason(failure);
+    return failure_words(failure,
+                         model_.last_step().step,
+                         kind(stage_),
+                         material_.cells != nullptr);
   }
 
   std::string reason(const fem::Failure &failure) const
   {
     const std::string problem =
-        material_.cells ? material_.cells->report().problem : "";
+        material_.cells && failure.kind == fem::FailureKind::not_converged
+            ? material_.cells->report().problem
+            : "";
     return problem.empty() ? failure.reason
                            : failure.reason + " (" + problem + ")";
   }
@@ -329,35 +322,31 @@ private:
       session_.log().warn(problem);
   }
 
+  // Of pressing, before and after a checkpoint [s].
+  double time_so_far() const
+  {
+    return time_before_ + session_.log().progress().elapsed();
+  }
+
   RunSession &session_;
   const fem::Ranks &ranks_;
   const fem::DieSettings &settings_;
   const fem::Mesh &mesh_;
   coupling::Material material_;
   RecordedPoints points_;
+  const StoredDie stored_;
   fem::DieModel model_;
   DieOutput output_;
   std::unique_ptr<CurveWriter> curve_; ///< of the first rank
-  std::vector<double> steps_;
   unsigned stage_ = 0;
   DieResults results_;
   CellRemarks cell_remarks_{session_, "point", mesh_.number_of_points()};
   DieMaps maps_;
+  Checkpoints checkpoints_;
+  double force_floor_ = 0; ///< of the stage [N]
+  double time_before_ = 0; ///< of pressing, before the checkpoint [s]
   double time_output_ = 0, time_plots_ = 0; ///< [s]
 };
-
-void warn_of_loose_cells(RunSession &session)
-{
-  const auto &material = session.input().material;
-  if (material.kind == coupling::MaterialKind::unit_cell &&
-      material.packing_files.empty() &&
-      material.packing.goal.target == dem::CompressionTarget::pressure &&
-      material.packing.goal.pressure < safe_start_pressure)
-    session.warn(fmt::format(
-        "Packing/Pressure = {:.3g} MPa: packings this loose may collapse in "
-        "the first steps; 0.5 MPa or more is safe",
-        material.packing.goal.pressure / 1e6));
-}
 
 // What lives until all ranks have ended: taking a model down needs them all.
 struct Job {

@@ -57,4 +57,14 @@ void DieMaps::write(const std::filesystem::path &folder) const
   write_map(folder / "final_axial_stress.dat", axial_stress_);
   write_map(folder / "final_hoop_stress.dat", hoop_stress_);
 }
+
+void DieMaps::pack(std::vector<char> &bytes) const
+{
+  fem::append_state(bytes, peak_density_);
+}
+
+void DieMaps::go_on(fem::StateBytes &stored)
+{
+  stored.take(peak_density_);
+}
 } // namespace tamp::apps

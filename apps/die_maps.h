@@ -4,6 +4,7 @@
 
 #include <apps/plots.h>
 #include <fem/die_model.h>
+#include <fem/state_bytes.h>
 
 #include <filesystem>
 #include <vector>
@@ -24,6 +25,10 @@ public:
   void take_peak(const fem::Mesh &mesh, const fem::DieModel &model);
   void take_end(const fem::Mesh &mesh, const fem::DieModel &model);
   /// @}
+
+  /// Appends the map of the peak; go_on() takes it up.
+  void pack(std::vector<char> &bytes) const;
+  void go_on(fem::StateBytes &stored);
 
   bool empty() const { return density_.empty(); }
   /// Writes the tables that the plots of die_plots() draw. Throws OutputError.

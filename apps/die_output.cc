@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 #include <numeric>
+#include <system_error>
 
 namespace tamp::apps
 {
@@ -32,16 +33,76 @@ DieOutput::DieOutput(const RunSession &session,
       grains_(session.folder(), "grains.pvd")
 {
   choose_points();
+}
+
+std::filesystem::path DieOutput::lines_of(std::size_t point) const
+{
+  return session_.folder().subfolder("grains") /
+         fmt::format("point_{:04d}.csv", point);
+}
+
+void DieOutput::begin()
+{
   for (const std::size_t point : grain_points_)
     point_lines_.push_back(std::make_unique<CurveWriter>(
-        session.folder().subfolder("grains") /
-            fmt::format("point_{:04d}.csv", point),
+        lines_of(point),
         point_header(),
         std::vector<std::string>{
             "compression is positive; axes x = r, y = hoop, z = axis",
             "replay, to the bit while pressing with cold cells: tamp probe "
             "with the same grains, Packing/Sample = this point's number and "
             "Path/Stages = csv THIS FILE"}));
+}
+
+void DieOutput::pack(std::vector<char> &bytes) const
+{
+  std::vector<std::uint64_t> sizes;
+  for (const auto &lines : point_lines_) {
+    lines->sync();
+    sizes.push_back(lines->size());
+  }
+  fem::append_state(bytes, sizes);
+  fem::append_state(bytes, fields_.entries());
+  fem::append_state(bytes, grains_.entries());
+  fem::append_state(bytes, last_fields_);
+  fem::append_state(bytes, last_grains_);
+}
+
+void DieOutput::go_on(fem::StateBytes &stored)
+{
+  std::vector<std::uint64_t> sizes;
+  std::string fields, grains;
+  stored.take(sizes);
+  stored.take(fields);
+  stored.take(grains);
+  stored.take(last_fields_);
+  stored.take(last_grains_);
+  if (!session_.place().first())
+    return;
+  for (std::size_t k = 0; k < grain_points_.size(); ++k)
+    point_lines_.push_back(std::make_unique<CurveWriter>(
+        lines_of(grain_points_[k]), point_header().size(), sizes.at(k)));
+  fields_.go_on(fields);
+  grains_.go_on(grains);
+  remove_later("fields", fields_);
+  remove_later("grains", grains_);
+}
+
+void DieOutput::remove_later(const std::string &folder,
+                             const SeriesWriter &kept) const
+{
+  std::vector<std::filesystem::path> later;
+  std::error_code ignored;
+  for (const auto &entry : std::filesystem::directory_iterator(
+           session_.folder().path() / folder, ignored)) {
+    const std::string name = entry.path().filename();
+    if ((name.ends_with(".vtu") || name.ends_with(".vtp")) &&
+        kept.entries().find("\"" + folder + "/" + name + "\"") ==
+            std::string::npos)
+      later.push_back(entry.path());
+  }
+  for (const auto &file : later)
+    std::filesystem::remove(file, ignored);
 }
 
 void DieOutput::choose_points()

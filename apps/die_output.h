@@ -8,6 +8,7 @@
 #include <apps/series_writer.h>
 #include <coupling/unit_cell_points.h>
 #include <fem/die_model.h>
+#include <fem/state_bytes.h>
 
 #include <memory>
 
@@ -31,7 +32,17 @@ public:
   /// what the point was told, to the last bit, and its stress.
   void write_point_lines();
 
+  /// Starts the files that grow; or goes on with them as they were at a
+  /// checkpoint, and removes the fields and grains of later steps. To be called
+  /// once before anything is written. Throws OutputError.
+  void begin();
+  void go_on(fem::StateBytes &stored);
+  /// Appends how far the files have been written, and has them on the disk.
+  void pack(std::vector<char> &bytes) const;
+
 private:
+  std::filesystem::path lines_of(std::size_t point) const;
+  void remove_later(const std::string &folder, const SeriesWriter &kept) const;
   void write_fields(unsigned step);
   void write_grains(unsigned step);
   void choose_points();

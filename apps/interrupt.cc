@@ -9,12 +9,17 @@ namespace
 {
 // The one place where state is global: a signal handler can reach nothing
 // else.
-volatile std::sig_atomic_t caught = 0;
+volatile std::sig_atomic_t caught = 0, checkpoint = 0;
 
 extern "C" void note_signal(int signal)
 {
   caught = signal;
   std::signal(signal, SIG_DFL);
+}
+
+extern "C" void note_checkpoint(int)
+{
+  checkpoint = 1;
 }
 } // namespace
 
@@ -27,5 +32,20 @@ void watch_signals()
 int caught_signal()
 {
   return caught;
+}
+
+void watch_checkpoint_signal()
+{
+  struct sigaction action = {};
+  action.sa_handler = note_checkpoint;
+  action.sa_flags = SA_RESTART;
+  sigaction(SIGUSR1, &action, nullptr);
+}
+
+bool take_checkpoint_signal()
+{
+  const bool came = checkpoint != 0;
+  checkpoint = 0;
+  return came;
 }
 } // namespace tamp::apps

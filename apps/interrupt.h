@@ -11,6 +11,12 @@ void watch_signals();
 /// The signal that came since watch_signals(), or 0. The step at hand is
 /// finished and results are kept; the program then ends with 128 + signal.
 int caught_signal();
+
+/// From now on SIGUSR1 is noted instead of ending the program.
+void watch_checkpoint_signal();
+
+/// Whether SIGUSR1 came since it was asked last: it wants a checkpoint.
+bool take_checkpoint_signal();
 } // namespace tamp::apps
 
 #endif

@@ -4,7 +4,6 @@
 #include <apps/parameter_file.h>
 #include <apps/parameter_print.h>
 #include <apps/parameter_table.h>
-#include <apps/planned_names.h>
 
 #include <deal.II/base/parameter_handler.h>
 
@@ -139,8 +138,6 @@ struct ParameterTable::Implementation {
     if (hint.empty() && !names.empty())
       hint = fmt::format("; did you mean '{}'?",
                          nearest_name(assignment.name, names));
-    if (is_planned_entry(joined(assignment.section) + "/" + assignment.name))
-      hint = " (not in this version)";
     throw InputError(
         assignment.section.empty()
             ? fmt::format("{}: there is no entry '{}' outside of a section{}",

@@ -8,15 +8,9 @@ namespace tamp::apps
 {
 namespace
 {
-constexpr std::array<std::string_view, 1> entries{"Output/Checkpoint interval"};
 constexpr std::array<std::string_view, 5> commands{
     "calibrate", "compare", "fit", "inspect", "selftest"};
 } // namespace
-
-bool is_planned_entry(std::string_view path)
-{
-  return std::ranges::count(entries, path) > 0;
-}
 
 bool is_planned_command(std::string_view name)
 {

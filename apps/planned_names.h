@@ -6,10 +6,6 @@
 
 namespace tamp::apps
 {
-/// Whether an entry, "Section/Name", is promised to users but not in this
-/// version.
-bool is_planned_entry(std::string_view path);
-
 /// Whether a command is promised to users but not in this version.
 bool is_planned_command(std::string_view name);
 } // namespace tamp::apps

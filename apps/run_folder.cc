@@ -53,18 +53,6 @@ std::vector<std::string> results_in(const fs::path &folder)
   return names;
 }
 
-double cpu_seconds()
-{
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
-}
-
-double wall_seconds(const RunRecord &record)
-{
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() -
-                                       record.start)
-      .count();
-}
-
 std::string seconds(double value)
 {
   return value < 10 ? fmt::format("{:.2g} s", value) : duration(value);
@@ -164,6 +152,17 @@ RunFolder::RunFolder(const fs::path &folder,
   write("log.txt", "");
 }
 
+RunFolder RunFolder::existing(const fs::path &folder)
+{
+  if (!of_a_run(folder))
+    throw InputError(fmt::format("--resume: '{}' is not the folder of a run: "
+                                 "it has no run.json of tamp",
+                                 folder.string()));
+  RunFolder result;
+  result.folder_ = folder;
+  return result;
+}
+
 fs::path RunFolder::subfolder(const std::string &name) const
 {
   if (folder_.empty())
@@ -205,6 +204,18 @@ std::string text_hash(const std::string &text)
   return fmt::format("{:016x}", hash);
 }
 
+double RunRecord::wall_time() const
+{
+  return earlier_wall_time +
+         std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
+             .count();
+}
+
+double RunRecord::cpu_time() const
+{
+  return earlier_cpu_time + static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
+
 std::string RunRecord::json() const
 {
   const BuildFacts facts = build_facts();
@@ -220,8 +231,10 @@ std::string RunRecord::json() const
   tree["seeds"] = {seed};
   tree["ranks"] = ranks;
   tree["threads"] = threads;
-  tree["wall_time[s]"] = wall_seconds(*this);
-  tree["cpu_time[s]"] = cpu_seconds();
+  tree["wall_time[s]"] = wall_time();
+  tree["cpu_time[s]"] = cpu_time();
+  if (!resumed_after.empty())
+    tree["resumed_after_steps"] = resumed_after;
   tree["status"] = status;
   if (!message.empty())
     tree["message"] = message;
@@ -245,7 +258,7 @@ std::string RunRecord::summary() const
     row("because", message);
   for (const std::string &warning : warnings)
     row("warning", warning);
-  const double wall_time = wall_seconds(*this);
+  const double wall = wall_time();
   for (std::size_t i = 0; i < results.size(); ++i) {
     for (const auto &[first, words] : headings)
       if (first == i)
@@ -254,15 +267,15 @@ std::string RunRecord::summary() const
     std::string words = name.substr(0, name.find('['));
     std::ranges::replace(words, '_', ' ');
     std::string said = with_unit(name, value);
-    if (name.starts_with("time_") && name.ends_with("[s]") && wall_time > 0)
-      said += fmt::format(" ({:.0f} %)", 100 * value / wall_time);
+    if (name.starts_with("time_") && name.ends_with("[s]") && wall > 0)
+      said += fmt::format(" ({:.0f} %)", 100 * value / wall);
     row(words, said);
   }
   if (!headings.empty())
     text += "\nRun\n";
-  row("wall time", seconds(wall_time));
+  row("wall time", seconds(wall));
   row(ranks > 1 ? "CPU time of the first rank" : "CPU time",
-      seconds(cpu_seconds()));
+      seconds(cpu_time()));
   row("ranks", fmt::format("{}", ranks));
   row(ranks > 1 ? "threads of each rank" : "threads",
       fmt::format("{}", threads));

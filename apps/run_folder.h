@@ -29,6 +29,9 @@ public:
             bool force,
             const std::vector<std::filesystem::path> &needed = {});
 
+  /// The folder of an earlier run, as it is. Throws InputError if it is none.
+  static RunFolder existing(const std::filesystem::path &folder);
+
   const std::filesystem::path &path() const { return folder_; }
   /// Makes a folder in it. Throws OutputError.
   std::filesystem::path subfolder(const std::string &name) const;
@@ -49,14 +52,20 @@ struct RunRecord {
   unsigned threads = 1; ///< of each rank
   std::chrono::steady_clock::time_point start =
       std::chrono::steady_clock::now();
-  std::string status = "running";    ///< running, done, not converged, ...
-  std::string message;               ///< why it ended, if not done
-  std::vector<std::string> warnings; ///< what to mind with the results
+  /// What the parts of the run before this one took, if it goes on [s].
+  double earlier_wall_time = 0, earlier_cpu_time = 0;
+  std::vector<unsigned> resumed_after; ///< steps
+  std::string status = "running";      ///< running, done, not converged, ...
+  std::string message;                 ///< why it ended, if not done
+  std::vector<std::string> warnings;   ///< what to mind with the results
   /// Key results with their units, in the order of the summary.
   std::vector<std::pair<std::string, double>> results;
   /// What parts them in the summary: the number of the first result below a
   /// heading, and its words.
   std::vector<std::pair<std::size_t, std::string>> headings;
+
+  double wall_time() const; ///< all parts of the run, until now [s]
+  double cpu_time() const;  ///< likewise, of this rank [s]
 
   /// For run.json.
   std::string json() const;

@@ -57,6 +57,12 @@ void declare_output(ParameterTable &table)
                "Whose grains and force chains are written");
   table.integers("Grain points", "0", "Numbers of the chosen material points");
   table.integer("Grain interval", 5, 1, "Steps between grains on disk");
+  table.quantity("Checkpoint interval",
+                 "10 min",
+                 dimension::time,
+                 not_negative,
+                 "Wall time between checkpoints of a die, with which --resume "
+                 "goes on; 0: at SIGINT, SIGTERM and SIGUSR1 only");
   table.choices("Plot format",
                 "svg, png",
                 {"svg", "png", "pdf"},
@@ -92,6 +98,7 @@ void read_output(const ParameterTable &table, OutputSettings &output)
   std::ranges::sort(output.grain_points);
   const auto repeated = std::ranges::unique(output.grain_points);
   output.grain_points.erase(repeated.begin(), repeated.end());
+  output.checkpoint_interval = table.number("Output/Checkpoint interval");
   output.plot_formats = table.words("Output/Plot format");
 }
 

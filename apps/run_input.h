@@ -25,6 +25,7 @@ struct OutputSettings {
   GrainOutput grain_output = GrainOutput::chosen_points;
   std::vector<std::size_t> grain_points;
   std::vector<std::string> plot_formats; ///< "svg", "png", "pdf"
+  double checkpoint_interval = 600;      ///< [s]; zero: at signals only
 };
 
 /// All that an input file says, in SI.

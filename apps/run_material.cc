@@ -8,6 +8,12 @@
 
 namespace tamp::apps
 {
+namespace
+{
+// Cells packed below this pressure may collapse in the first steps.
+constexpr double safe_start_pressure = 0.5e6;
+} // namespace
+
 std::string adhesion_doubt(const dem::ContactModel &model)
 {
   const bool adhesive = model.normal_law == dem::NormalLaw::jkr ||
@@ -65,9 +71,12 @@ void warn_of_law(RunSession &session)
     session.warn("Material/Drucker-Prager cap: " + remark.text());
 }
 
-coupling::Material prepare_material(RunSession &session, std::size_t count)
+namespace
 {
-  const coupling::MaterialChoice &choice = session.input().material;
+coupling::Material prepare(RunSession &session,
+                           const coupling::MaterialChoice &choice,
+                           std::size_t count)
+{
   RunLog &log = session.log();
   const bool cells = choice.kind == coupling::MaterialKind::unit_cell;
   warn_of_law(session);
@@ -95,5 +104,31 @@ coupling::Material prepare_material(RunSession &session, std::size_t count)
   } catch (const std::runtime_error &error) {
     throw PackingError(error.what());
   }
+}
+} // namespace
+
+void warn_of_loose_cells(RunSession &session)
+{
+  const auto &material = session.input().material;
+  if (material.kind == coupling::MaterialKind::unit_cell &&
+      material.packing_files.empty() &&
+      material.packing.goal.target == dem::CompressionTarget::pressure &&
+      material.packing.goal.pressure < safe_start_pressure)
+    session.warn(fmt::format(
+        "Packing/Pressure = {:.3g} MPa: packings this loose may collapse in "
+        "the first steps; 0.5 MPa or more is safe",
+        material.packing.goal.pressure / 1e6));
+}
+
+coupling::Material prepare_material(RunSession &session, std::size_t count)
+{
+  return prepare(session, session.input().material, count);
+}
+
+coupling::Material stand_ins(RunSession &session, std::size_t count)
+{
+  coupling::MaterialChoice choice = session.input().material;
+  choice.same_packing = true;
+  return prepare(session, choice, count);
 }
 } // namespace tamp::apps

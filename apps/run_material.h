@@ -20,9 +20,16 @@ class PackingError : public std::runtime_error
 /// PackingError if grains do not jam.
 coupling::Material prepare_material(RunSession &session, std::size_t count);
 
+/// The same for points that take their states from a checkpoint: cells are all
+/// alike, of one packing.
+coupling::Material stand_ins(RunSession &session, std::size_t count);
+
 /// "packing 3 x 1000 grains to 0.1 MPa", for the title of that work.
 std::string packing_title(const coupling::MaterialChoice &choice,
                           std::size_t count);
+
+/// Warns of a packing pressure at which cells may collapse when pressed.
+void warn_of_loose_cells(RunSession &session);
 
 /// Warns if stored packings are not as they were stored.
 void warn_of_history(RunSession &session, coupling::History history);

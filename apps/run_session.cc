@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <apps/build_facts.h>
 #include <apps/input_table.h>
+#include <apps/run_resume.h>
 #include <apps/run_session.h>
 
 #include <algorithm>
@@ -112,7 +113,8 @@ RunSession::RunSession(const std::string &command,
                        const RunOptions &options,
                        Need need,
                        const RankPlace &place)
-    : place_(place), plots_(options.plots && place.first())
+    : place_(place), plots_(options.plots && place.first()),
+      resumes_(options.resume)
 {
   ParameterTable table;
   read_table(options, table);
@@ -129,6 +131,7 @@ RunSession::RunSession(const std::string &command,
   record_.input_echo = echo.str();
 
   if (place.first()) {
+    told_ = whole_input(record_.input_echo, input_.files);
     open_folder(options);
   } else {
     folder_ = std::make_unique<RunFolder>();
@@ -140,13 +143,12 @@ void RunSession::open_folder(const RunOptions &options)
 {
   const auto path = options.output.empty() ? "results" / options.input.stem()
                                            : options.output;
-  std::vector<std::filesystem::path> needed = input_.files;
-  needed.push_back(options.input);
-  folder_ = std::make_unique<RunFolder>(path, options.force, needed);
-  folder_->write("input.prm",
-                 fmt::format("# All parameters of this run in SI, tamp {}.\n{}",
-                             build_facts().version,
-                             record_.input_echo));
+  if (resumes_) {
+    found_.emplace(find_to_resume(path, told_));
+    folder_ = std::make_unique<RunFolder>(RunFolder::existing(path));
+  } else {
+    start_folder(options, path);
+  }
   folder_->write("run.json", record_.json());
   // mpirun gives what it starts a terminal, whatever its own output is.
   const bool lines = place_.ranks > 1 && options.verbosity == Verbosity::normal;
@@ -160,6 +162,53 @@ void RunSession::open_folder(const RunOptions &options)
       text_hash(record_.input_echo),
       record_.ranks > 1 ? fmt::format("on {} ranks of ", record_.ranks) : "",
       record_.threads));
+  if (!found_)
+    return;
+  for (const std::string &reason : found_->passed_over)
+    warn(reason);
+  log_->say(fmt::format("going on after step {}, from {}",
+                        found_->title.step,
+                        found_->file.string()));
+}
+
+void RunSession::start_folder(const RunOptions &options,
+                              const std::filesystem::path &path)
+{
+  std::vector<std::filesystem::path> needed = input_.files;
+  needed.push_back(options.input);
+  folder_ = std::make_unique<RunFolder>(path, options.force, needed);
+  folder_->write("input.prm",
+                 fmt::format("# All parameters of this run in SI, tamp {}.\n{}",
+                             build_facts().version,
+                             record_.input_echo));
+}
+
+void RunSession::pack(std::vector<char> &bytes) const
+{
+  fem::append_state(bytes, record_.wall_time());
+  fem::append_state(bytes, record_.cpu_time());
+  fem::append_state(bytes, record_.resumed_after);
+  fem::append_state(bytes, record_.warnings.size());
+  for (const std::string &warning : record_.warnings)
+    fem::append_state(bytes, warning);
+}
+
+void RunSession::go_on(fem::StateBytes &stored)
+{
+  stored.take(record_.earlier_wall_time);
+  stored.take(record_.earlier_cpu_time);
+  stored.take(record_.resumed_after);
+  if (found_)
+    record_.resumed_after.push_back(found_->title.step);
+  std::size_t count = 0;
+  stored.take(count);
+  std::vector<std::string> all;
+  for (std::string warning; all.size() < count; all.push_back(warning))
+    stored.take(warning);
+  for (const std::string &warning : record_.warnings)
+    if (!std::ranges::count(all, warning))
+      all.push_back(warning);
+  record_.warnings = all;
 }
 
 void RunSession::result(const std::string &name, double value)

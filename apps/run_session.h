@@ -6,6 +6,8 @@
 #include <apps/run_folder.h>
 #include <apps/run_input.h>
 #include <apps/run_log.h>
+#include <coupling/checkpoint.h>
+#include <fem/state_bytes.h>
 
 #include <exception>
 #include <filesystem>
@@ -34,6 +36,7 @@ struct RunOptions {
   std::vector<std::string> settings;
   std::optional<int> threads; ///< none: all cores this process may use
   bool force = false;
+  bool resume = false; ///< go on with the run that is in the folder
   bool plots = true;
   Verbosity verbosity = Verbosity::normal;
 };
@@ -73,6 +76,15 @@ public:
   const RankPlace &place() const { return place_; }
   unsigned threads() const { return record_.threads; }
   bool plots() const { return plots_; }
+  /// Does the run go on from a checkpoint?
+  bool resumes() const { return resumes_; }
+  /// That checkpoint; null if there is none, and on other ranks than the first.
+  coupling::FoundCheckpoint *found() { return found_ ? &*found_ : nullptr; }
+  /// All that the run was told, see apps::whole_input(); on the first rank.
+  const std::string &told() const { return told_; }
+  /// Appends what the record has gathered so far; go_on() takes it up.
+  void pack(std::vector<char> &bytes) const;
+  void go_on(fem::StateBytes &stored);
   /// Adds a key result, "name[unit]".
   void result(const std::string &name, double value);
   /// Results from here on stand under this heading in summary.txt.
@@ -93,13 +105,17 @@ private:
   int finish(const RunEnd &end);
 
   void open_folder(const RunOptions &options);
+  void start_folder(const RunOptions &options,
+                    const std::filesystem::path &path);
 
   RankPlace place_;
   RunInput input_;
   RunRecord record_;
   std::unique_ptr<RunFolder> folder_;
   std::unique_ptr<RunLog> log_;
-  bool plots_;
+  bool plots_, resumes_;
+  std::string told_;
+  std::optional<coupling::FoundCheckpoint> found_;
 };
 
 /// Number of cores this process may use.

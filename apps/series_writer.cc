@@ -17,6 +17,18 @@ void SeriesWriter::add(double step, std::size_t part, const std::string &file)
                   step,
                   part,
                   file);
+  write();
+}
+
+void SeriesWriter::go_on(const std::string &entries)
+{
+  entries_ = entries;
+  if (!entries_.empty())
+    write();
+}
+
+void SeriesWriter::write() const
+{
   folder_.write(name_,
                 "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" "
                 "version=\"0.1\">\n  <Collection>\n" +

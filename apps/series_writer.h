@@ -20,7 +20,13 @@ public:
   /// Files of one step are told apart by `part`. Throws OutputError.
   void add(double step, std::size_t part, const std::string &file);
 
+  /// What add() has added so far, and going on after it. Throws OutputError.
+  const std::string &entries() const { return entries_; }
+  void go_on(const std::string &entries);
+
 private:
+  void write() const;
+
   const RunFolder &folder_;
   std::string name_, entries_;
 };

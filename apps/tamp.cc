@@ -154,6 +154,10 @@ int run(int argc, char **argv)
 
   CLI::App *die = app.add_subcommand("die", "Press a powder in a die");
   add_run_options(*die, options);
+  die->add_flag("--resume",
+                options.resume,
+                "Go on from the newest good checkpoint in the folder")
+      ->excludes("--force");
   die->callback([&] { code = run_die(options); });
 
   CLI::App *probe =

@@ -90,6 +90,10 @@ void UnitCellPoints::begin_attempt()
 {
   for (Point &point : points_)
     point.guess.clear();
+  // What was evaluated before the first attempt is no part of the step.
+  if (!attempted_)
+    step_begins_ = true;
+  attempted_ = true;
 }
 
 void UnitCellPoints::evaluate(std::span<const fem::Deformation> deformations,
@@ -199,6 +203,7 @@ void UnitCellPoints::commit()
     if (point.has_trial)
       point.adopt();
   step_begins_ = true;
+  attempted_ = false;
 }
 
 void UnitCellPoints::turn()

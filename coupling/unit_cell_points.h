@@ -81,7 +81,7 @@ private:
   std::vector<Point> points_;
   CellPointsOptions options_;
   CellReport report_;
-  bool step_begins_ = true;
+  bool step_begins_ = true, attempted_ = false;
 };
 } // namespace tamp::coupling
 

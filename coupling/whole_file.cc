@@ -7,6 +7,7 @@
 #include <fcntl.h>
 #include <string>
 #include <unistd.h>
+#include <utility>
 
 namespace tamp::coupling
 {
@@ -28,17 +29,15 @@ public:
       : number_(::open(file.c_str(), flags | O_CLOEXEC, 0666))
   {
   }
-  ~Descriptor() { close(); }
+  ~Descriptor()
+  {
+    if (number_ >= 0)
+      ::close(number_);
+  }
   Descriptor(const Descriptor &) = delete;
   Descriptor &operator=(const Descriptor &) = delete;
 
   operator int() const { return number_; }
-  bool close()
-  {
-    const int number = number_;
-    number_ = -1;
-    return number < 0 || ::close(number) == 0;
-  }
 
 private:
   int number_;
@@ -93,23 +92,64 @@ std::vector<char> read_whole_file(const fs::path &file)
   }
 }
 
-void write_whole_file(const fs::path &file, std::span<const char> bytes)
+WholeFile::WholeFile(fs::path file)
+    : file_(std::move(file)), part_(file_.string() + ".part")
 {
-  const fs::path part = file.string() + ".part";
-  ::unlink(part.c_str()); // of a run that was cut off
-  Descriptor out(part, O_WRONLY | O_CREAT | O_EXCL);
-  if (out < 0)
-    fail("write", file, errno);
-  int error = 0;
-  if (!write_all(out, bytes) || ::fsync(out) != 0 || !out.close())
-    error = errno;
-  else
-    error = move_to_new(part, file);
-  ::unlink(part.c_str());
-  if (error != 0)
-    fail("write", file, error);
-  const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  ::unlink(part_.c_str()); // of a run that was cut off
+  descriptor_ =
+      ::open(part_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (descriptor_ < 0)
+    fail(errno);
+}
+
+WholeFile::~WholeFile()
+{
+  if (descriptor_ >= 0)
+    ::close(descriptor_);
+  if (!part_.empty())
+    ::unlink(part_.c_str());
+}
+
+void WholeFile::fail(int error) const
+{
+  coupling::fail("write", file_, error);
+}
+
+void WholeFile::append(std::span<const char> bytes)
+{
+  constexpr std::size_t many = 1 << 20;
+  waiting_.insert(waiting_.end(), bytes.begin(), bytes.end());
+  if (waiting_.size() >= many)
+    flush();
+}
+
+void WholeFile::flush()
+{
+  if (!write_all(descriptor_, waiting_))
+    fail(errno);
+  waiting_.clear();
+}
+
+void WholeFile::finish()
+{
+  flush();
+  const int descriptor = std::exchange(descriptor_, -1);
+  const bool synced = ::fsync(descriptor) == 0;
+  const int error = synced ? 0 : errno;
+  if (::close(descriptor) != 0 || !synced)
+    fail(synced ? errno : error);
+  if (const int problem = move_to_new(part_, file_); problem != 0)
+    fail(problem);
+  part_.clear();
+  const fs::path folder = file_.has_parent_path() ? file_.parent_path() : ".";
   if (const Descriptor entries(folder, O_RDONLY | O_DIRECTORY); entries >= 0)
     ::fsync(entries);
+}
+
+void write_whole_file(const fs::path &file, std::span<const char> bytes)
+{
+  WholeFile out(file);
+  out.append(bytes);
+  out.finish();
 }
 } // namespace tamp::coupling

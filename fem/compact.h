@@ -7,6 +7,7 @@
 #include <fem/material_points.h>
 #include <fem/mesh.h>
 #include <fem/ranks.h>
+#include <fem/state_bytes.h>
 
 #include <span>
 #include <string>
@@ -79,6 +80,13 @@ public:
 
   /// The trial becomes the accepted state.
   void accept();
+
+  /// Appends the accepted state of all points and nodes, on the first rank;
+  /// unpack() takes up this rank's part, on any number of ranks, from the same
+  /// bytes on each. What the material points keep is not in it. Throws
+  /// std::runtime_error if it is that of another mesh.
+  void pack(std::vector<char> &bytes) const;
+  void unpack(StateBytes &bytes);
 
 private:
   struct Trial {

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 namespace tamp::fem
 {
@@ -44,21 +45,6 @@ Densities densities(const Compact &compact)
 
 } // namespace
 
-std::vector<PointField> variable_fields(const MaterialPoints &points)
-{
-  std::vector<PointField> fields;
-  for (const Variable &variable : points.variables())
-    fields.push_back(
-        {variable.name, {}, "[" + variable.unit + "] " + variable.meaning});
-  std::vector<double> values(fields.size());
-  for (std::size_t point = 0; point < points.size(); ++point) {
-    points.variables_of(point, values);
-    for (std::size_t i = 0; i < fields.size(); ++i)
-      fields[i].values.push_back(values[i]);
-  }
-  return fields;
-}
-
 struct DieModel::Implementation {
   DieSettings settings;
   const Mesh &mesh;
@@ -80,7 +66,8 @@ struct DieModel::Implementation {
                  const Mesh &data,
                  MaterialPoints &points,
                  StageBegins begins,
-                 const Ranks &ranks)
+                 const Ranks &ranks,
+                 std::span<const char> stored)
       : settings(chosen), mesh(data), stage_begins(std::move(begins)),
         press(data,
               {make_tools(chosen.geometry, data), chosen.friction},
@@ -93,8 +80,39 @@ struct DieModel::Implementation {
         upper_edge(edge_height(data.nodes, upper_punch)),
         lower_edge(edge_height(data.nodes, lower_punch)), schedule(chosen)
   {
-    observe();
-    chosen.check_start(state.mean_density);
+    if (stored.empty()) {
+      observe();
+      chosen.check_start(state.mean_density);
+    } else {
+      unpack(StateBytes(stored));
+    }
+  }
+
+  template <class Self, class Use>
+  static void each_part(Self &self, const Use &use)
+  {
+    use(self.record);
+    use(self.state);
+    use(self.last_increment);
+    use(self.last_driving);
+    use(self.last_phase);
+    use(self.seconds);
+  }
+
+  void pack(std::vector<char> &bytes) const
+  {
+    press.pack(bytes);
+    schedule.pack(bytes);
+    each_part(*this, [&](const auto &part) { append_state(bytes, part); });
+  }
+
+  void unpack(StateBytes bytes)
+  {
+    press.unpack(bytes);
+    schedule.unpack(bytes);
+    each_part(*this, [&](auto &part) { bytes.take(part); });
+    if (!bytes.empty())
+      throw std::runtime_error("the stored state is that of another model");
   }
 
   /// z of the highest node where a punch meets the die, or of its highest node
@@ -308,11 +326,12 @@ DieModel::DieModel(const DieSettings &settings,
                    const Mesh &mesh,
                    MaterialPoints &points,
                    StageBegins stage_begins,
-                   const Ranks &ranks)
+                   const Ranks &ranks,
+                   std::span<const char> state)
 {
   settings.check();
   implementation_ = std::make_unique<Implementation>(
-      settings, mesh, points, std::move(stage_begins), ranks);
+      settings, mesh, points, std::move(stage_begins), ranks, state);
 }
 
 DieModel::~DieModel() = default;
@@ -321,6 +340,11 @@ Advance DieModel::advance()
 {
   const StopWatch watch(implementation_->seconds);
   return implementation_->advance();
+}
+
+void DieModel::pack(std::vector<char> &bytes) const
+{
+  implementation_->pack(bytes);
 }
 
 const StepRecord &DieModel::last_step() const

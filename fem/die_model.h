@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -90,11 +91,17 @@ public:
   /// anything; the first step finds equilibrium. Throws std::invalid_argument
   /// if sizes do not match. Mesh and points must outlive the model.
   /// @param points  of this rank's share of the mesh, see Ranks::share().
+  /// @param state  what pack() of another model wrote, with the same settings
+  /// and mesh: the model goes on from there, step by step to the bit. The
+  /// points are to be unpacked to their states of then before advance(). Empty:
+  /// the start. The same on all ranks, of which there may be another number.
+  /// Throws std::runtime_error if it is that of another model.
   DieModel(const DieSettings &settings,
            const Mesh &mesh,
            MaterialPoints &points,
            StageBegins stage_begins = {},
-           const Ranks &ranks = Ranks());
+           const Ranks &ranks = Ranks(),
+           std::span<const char> state = {});
   ~DieModel();
 
   /// Does one step of the schedule, cutting it as often as needed, and says
@@ -102,6 +109,10 @@ public:
   /// step that fails leaves the last accepted state, in the model and in the
   /// points.
   [[nodiscard]] Advance advance();
+
+  /// Appends the accepted state, but for that of the points, to `bytes` of the
+  /// first rank. Collective.
+  void pack(std::vector<char> &bytes) const;
 
   /// The last accepted step; before the first one, step 0: the start.
   const StepRecord &last_step() const;

@@ -238,4 +238,19 @@ void write_compact(const std::filesystem::path &file,
                  axisymmetric,
                  extra));
 }
+
+std::vector<PointField> variable_fields(const MaterialPoints &points)
+{
+  std::vector<PointField> fields;
+  for (const Variable &variable : points.variables())
+    fields.push_back(
+        {variable.name, {}, "[" + variable.unit + "] " + variable.meaning});
+  std::vector<double> values(fields.size());
+  for (std::size_t point = 0; point < points.size(); ++point) {
+    points.variables_of(point, values);
+    for (std::size_t i = 0; i < fields.size(); ++i)
+      fields[i].values.push_back(values[i]);
+  }
+  return fields;
+}
 } // namespace tamp::fem

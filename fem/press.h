@@ -5,6 +5,7 @@
 #include <fem/compact.h>
 #include <fem/die_settings.h>
 #include <fem/press_system.h>
+#include <fem/state_bytes.h>
 #include <fem/tool_contact.h>
 #include <fem/tool_motion.h>
 
@@ -78,6 +79,12 @@ public:
   /// The trial becomes the accepted state.
   void accept();
 
+  /// Appends the accepted state, on the first rank; unpack() takes it up, on
+  /// any number of ranks, from the same bytes on each. Collective. Throws
+  /// std::runtime_error if it is that of another mesh.
+  void pack(std::vector<char> &bytes) const;
+  void unpack(StateBytes &bytes);
+
   const PressTimes &times() const { return times_; }
 
 private:
@@ -100,6 +107,8 @@ private:
   ToolPositions tools_after(std::span<const double> increment) const;
   std::vector<double> node_stiffness() const;
   std::vector<double> node_densities() const;
+  template <class Self, class Use>
+  static void each_part(Self &self, const Use &use);
 
   Compact compact_;
   ToolContact contact_;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fem/ranks.h>
 
+#include <algorithm>
+#include <cstdint>
+
 namespace tamp::fem
 {
 Ranks::Ranks(MPI_Comm communicator) : communicator_(communicator)
@@ -64,5 +67,57 @@ void Ranks::spread(std::span<double> values, unsigned from) const
               MPI_DOUBLE,
               static_cast<int>(from),
               communicator_);
+}
+
+namespace
+{
+/// The most that one message of MPI holds with ease.
+constexpr std::size_t largest_message = std::size_t(1) << 30;
+
+/// Calls `send` with the parts of what may be too long for one message.
+template <class Send>
+void in_parts(std::vector<char> &bytes, const Send &send)
+{
+  for (std::size_t begin = 0; begin < bytes.size(); begin += largest_message)
+    send(bytes.data() + begin,
+         static_cast<int>(std::min(largest_message, bytes.size() - begin)));
+}
+} // namespace
+
+void Ranks::spread(std::vector<char> &bytes, unsigned from) const
+{
+  if (size_ == 1)
+    return;
+  const int root = static_cast<int>(from);
+  std::uint64_t size = bytes.size();
+  MPI_Bcast(&size, 1, MPI_UINT64_T, root, communicator_);
+  bytes.resize(size);
+  in_parts(bytes, [&](char *part, int count) {
+    MPI_Bcast(part, count, MPI_CHAR, root, communicator_);
+  });
+}
+
+void Ranks::move(std::vector<char> &bytes, unsigned from, unsigned to) const
+{
+  constexpr int tag = 0;
+  if (from == to || (rank_ != from && rank_ != to))
+    return;
+  std::uint64_t size = bytes.size();
+  if (rank_ == from) {
+    const int there = static_cast<int>(to);
+    MPI_Send(&size, 1, MPI_UINT64_T, there, tag, communicator_);
+    in_parts(bytes, [&](char *part, int count) {
+      MPI_Send(part, count, MPI_CHAR, there, tag, communicator_);
+    });
+    return;
+  }
+  const int there = static_cast<int>(from);
+  MPI_Recv(
+      &size, 1, MPI_UINT64_T, there, tag, communicator_, MPI_STATUS_IGNORE);
+  bytes.resize(size);
+  in_parts(bytes, [&](char *part, int count) {
+    MPI_Recv(
+        part, count, MPI_CHAR, there, tag, communicator_, MPI_STATUS_IGNORE);
+  });
 }
 } // namespace tamp::fem

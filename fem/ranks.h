@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <span>
+#include <vector>
 
 namespace tamp::fem
 {
@@ -38,6 +39,11 @@ public:
   bool all(bool good) const;
   /// Copies the values of one rank to all.
   void spread(std::span<double> values, unsigned from = 0) const;
+  /// Replaces bytes, as many as there are, by those of one rank on all.
+  void spread(std::vector<char> &bytes, unsigned from = 0) const;
+  /// Copies the bytes of one rank to another one; both must call, the others
+  /// may and keep what they have.
+  void move(std::vector<char> &bytes, unsigned from, unsigned to) const;
 
 private:
   MPI_Comm communicator_;

@@ -4,6 +4,7 @@
 
 #include <fem/die_settings.h>
 #include <fem/press_state.h>
+#include <fem/state_bytes.h>
 #include <fem/step_control.h>
 #include <fem/tool_motion.h>
 
@@ -77,6 +78,10 @@ public:
   /// Share of the stage that is done, 0 to 1.
   double progress(const PressState &state) const;
 
+  /// Appends how far the stages have come; unpack() goes on from there.
+  void pack(std::vector<char> &bytes) const;
+  void unpack(StateBytes &bytes);
+
 private:
   enum class Phase { none, to_distance, to_force, release, eject, hold };
 
@@ -102,6 +107,8 @@ private:
   Proposal release(const PressState &state) const;
   Proposal eject(const PressState &state) const;
   double longest_ejection(const PressState &state) const;
+  template <class Self, class Use>
+  static void each_part(Self &self, const Use &use);
 
   std::vector<Stage> stages_;
   StepLimits limits_;

@@ -4,6 +4,7 @@
 
 #include <fem/friction.h>
 #include <fem/kinematics.h>
+#include <fem/state_bytes.h>
 #include <fem/tool_surface.h>
 
 #include <deal.II/base/tensor.h>
@@ -125,6 +126,12 @@ public:
   /// Sums over the nodes of each tool.
   ToolForces sums(std::span<const PairForce> forces) const;
 
+  /// Appends all of the accepted state that decides what comes; unpack() takes
+  /// it up. @param positions  accepted, of nodes. Throws std::runtime_error if
+  /// it is that of other pairs.
+  void pack(std::vector<char> &bytes) const;
+  void unpack(StateBytes &bytes, const NodePositions &positions);
+
 private:
   struct Approach;
   dealii::Tensor<1, 3> below_rim(dealii::Tensor<1, 3> place, Tool tool) const;
@@ -139,6 +146,8 @@ private:
                   const NodePositions &positions,
                   const ToolPositions &tools) const;
   void update_areas(const NodePositions &positions);
+  template <class Self, class Use>
+  static void each_part(Self &self, const Use &use);
 
   const Mesh &mesh_;
   Tools tools_;

@@ -74,3 +74,27 @@ TEST(CurveWriter, KeepsOnlyCompleteLinesWhenTheDiskIsFull)
   EXPECT_EQ(std::filesystem::file_size(file), 20u);
   std::filesystem::remove(file);
 }
+
+TEST(CurveWriter, GoesOnWhereItWasAndRefusesWhatIsShorter)
+{
+  const auto file = std::filesystem::temp_directory_path() /
+                    ("tamp_go_on_" + std::to_string(getpid()) + ".csv");
+  std::uint64_t size = 0;
+  {
+    CurveWriter curve(file, {"step", "stress[Pa]"});
+    curve.write(std::vector<double>{1, 2});
+    size = curve.size();
+    curve.write(std::vector<double>{2, 3});
+  }
+  {
+    CurveWriter curve(file, 2, size);
+    curve.write(std::vector<double>{2, 4});
+  }
+  EXPECT_EQ(lines_of(file),
+            (std::vector<std::string>{"step,stress[Pa]", "1,2", "2,4"}));
+  const std::uint64_t whole = std::filesystem::file_size(file);
+  EXPECT_THROW(CurveWriter(file, 2, whole + 1), OutputError);
+  EXPECT_EQ(std::filesystem::file_size(file), whole);
+  std::filesystem::remove(file);
+  EXPECT_THROW(CurveWriter(file, 2, 0), OutputError);
+}

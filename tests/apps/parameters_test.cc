@@ -185,7 +185,7 @@ TEST_F(Parameters, APowderFillsWhatIsNotGiven)
   table.set("Material/Type = drucker-prager cap");
   const RunInput input = read_input(table, Need::probe);
   EXPECT_EQ(input.material.cap.hydrostatic_yield, pressure);
-  EXPECT_EQ(input.material.cap.dilation, fem::Dilation::bounded);
+  EXPECT_EQ(input.material.cap.dilation, tamp::fem::Dilation::bounded);
 }
 
 TEST_F(Parameters, TheEchoOfAPowderIsItsTables)

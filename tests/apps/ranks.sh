@@ -81,6 +81,39 @@ same() {
 }
 same one two
 
+# A run of two ranks that was stopped goes on with one, and that one with two.
+long=(die.prm -q --no-plots --set 'Solver/Maximum step = 3e-3'
+  --set 'Output/Checkpoint interval = 1 us')
+on 1 "${long[@]}" -o long
+# newest: the name of the newest checkpoint.
+newest() {
+  find stopped/checkpoint -name '*.tamp' -printf '%f\n' 2> /dev/null |
+    sort | tail -n 1 || true
+}
+# stop RANKS OPTION...: stops the run a few steps after its begin.
+stop() {
+  local ranks=$1 run before
+  shift
+  before=$(newest)
+  mpirun -np "$ranks" "$tamp" die "${long[@]}" -o stopped "$@" > out.txt \
+    2> err.txt &
+  run=$!
+  while [[ ! $(newest) > $before ]]; do
+    kill -0 "$run" 2> /dev/null || { cat err.txt; fail "ended too soon"; }
+    sleep 0.01
+  done
+  kill -TERM "$run"
+  wait "$run" && fail "not stopped"
+  return 0
+}
+stop 2
+stop 1 --resume
+on 2 "${long[@]}" -o stopped --resume
+[ "$status" -eq 0 ] || { cat err.txt; fail "resumed: exit code $status"; }
+[ "$(grep -c 'going on after step' stopped/log.txt)" -eq 2 ] ||
+  fail "log.txt does not tell where the run went on"
+same long stopped
+
 # Wrong inputs: one message, nothing written.
 on 2 die.prm -o bad --set 'Die/Radius = -1'
 says 2 'Die/Radius'

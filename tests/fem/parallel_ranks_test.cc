@@ -45,6 +45,27 @@ TEST(Ranks, SumsAreTheSameBitsEverywhere)
   }
 }
 
+TEST(Ranks, BytesGetToAnotherRankAndToAll)
+{
+  const Ranks ranks(MPI_COMM_WORLD);
+  const unsigned last = ranks.size() - 1;
+  const auto bytes_of = [](unsigned rank) {
+    return std::vector<char>(3 + 100 * rank, static_cast<char>('a' + rank));
+  };
+  for (unsigned from = 0; from < ranks.size(); ++from) {
+    std::vector<char> bytes = bytes_of(ranks.rank());
+    ranks.move(bytes, from, last);
+    EXPECT_EQ(bytes, bytes_of(ranks.rank() == last ? from : ranks.rank()));
+    bytes = bytes_of(ranks.rank());
+    ranks.spread(bytes, from);
+    EXPECT_EQ(bytes, bytes_of(from));
+  }
+  std::vector<char> nothing;
+  ranks.move(nothing, 0, last);
+  ranks.spread(nothing);
+  EXPECT_TRUE(nothing.empty());
+}
+
 TEST(Ranks, AllAgreeOnWhatOneRankKnows)
 {
   const Ranks ranks(MPI_COMM_WORLD);

@@ -28,7 +28,7 @@ allowed_in() {
     dem/*) echo "$standard|Eigen/[^>]*|dem/[^>]*" ;;
     fem/*) echo "$standard|fem/[^>]*|$deal" ;;
     coupling/*)
-      echo "$standard|Eigen/[^>]*|(dem|fem|coupling)/[^>]*|$deal|vtk[^>]*|(hdf5|fcntl|unistd)\.h" ;;
+      echo "$standard|Eigen/[^>]*|(dem|fem|coupling)/[^>]*|$deal|vtk[^>]*|(hdf5|fcntl|unistd|zlib)\.h" ;;
     *) echo '[^>]*' ;;
   esac
 }

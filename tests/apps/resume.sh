@@ -1,0 +1,224 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: BSD-3-Clause
+# A die that was killed, stopped or had its checkpoints damaged goes on with
+# --resume and leaves what an uninterrupted one leaves; what cannot be resumed is
+# refused, and touched by nothing. Usage: resume.sh TAMP [cells|law|refused|failing]
+source "$(dirname "${BASH_SOURCE[0]}")/expect.sh"
+part=$2
+
+cat > cells.prm << 'END_OF_INPUT'
+include granules.prm
+subsection Die
+  set Elements = 1, 2
+end
+subsection Schedule
+  set Stages = press to density 0.62; unload to 30 % of peak; eject by 0.05 mm holding 30 % of peak
+end
+subsection Solver
+  set Maximum step = 4e-3
+end
+subsection Output
+  set Checkpoint interval = 1 us
+  set Grain points        = 0, 5
+end
+END_OF_INPUT
+cat > law.prm << 'END_OF_INPUT'
+subsection Material
+  set Type = drucker-prager cap
+end
+subsection Die
+  set Elements = 3, 4
+end
+subsection Schedule
+  set Stages = press both to density 0.5; unload to nothing; eject to out
+  set Floating die = true
+end
+subsection Output
+  set Checkpoint interval = 1 us
+end
+END_OF_INPUT
+
+# step_of FOLDER: that of its newest checkpoint, 0 if there is none, in $newest.
+step_of() {
+  local name
+  newest=0
+  for name in "$1"/checkpoint/step_*.tamp; do
+    name=${name##*step_}
+    name=$((10#0${name%%[!0-9]*}))
+    [ "$name" -le "$newest" ] || newest=$name
+  done
+}
+
+# kill_after SIGNAL STEP INPUT FOLDER OPTION...: starts a run and sends it the
+# signal once there is a checkpoint of the step; its exit code in $status.
+kill_after() {
+  local signal=$1 step=$2 input=$3 folder=$4 run
+  shift 4
+  "$tamp" die "$input" -o "$folder" --no-plots -q "$@" 2> err.txt &
+  run=$!
+  until step_of "$folder" && [ "$newest" -ge "$step" ]; do
+    kill -0 "$run" 2> /dev/null || break
+    sleep 0.002
+  done
+  kill "-$signal" "$run" 2> /dev/null ||
+    fail "$input had ended before step $step"
+  status=0
+  wait "$run" 2> /dev/null || status=$?
+}
+
+# asked_in FOLDER COMMAND...: runs the cells and sends SIGUSR1 on the way, after
+# the command.
+asked_in() {
+  local folder=$1 run
+  shift
+  "$tamp" die "${input:-cells}.prm" -o "$folder" --no-plots -q \
+    --set 'Output/Checkpoint interval = 0' &
+  run=$!
+  until [ -s "$folder/fields/step_0005.vtu" ]; do sleep 0.002; done
+  "$@"
+  kill -USR1 "$run"
+  wait "$run" || fail "SIGUSR1: exit code $?"
+}
+
+# leaves A B: both folders have the same results, but for times and when
+# checkpoints were written.
+leaves() {
+  local file
+  (cd "$1" && find . -type f ! -path './checkpoint/*' | sort) > first.txt
+  (cd "$2" && find . -type f ! -path './checkpoint/*' | sort) > second.txt
+  diff first.txt second.txt || fail "$1 and $2 have other files"
+  while read -r file; do
+    case $file in
+      ./input.prm | ./log.txt | ./summary.txt | ./run.json) continue ;;
+      ./curve.csv)
+        grep -q ',wall_time\[s\]$' "$1/$file" || fail "the last column"
+        sed '/^#/!s/,[^,]*$//' "$1/$file" > first.curve
+        sed '/^#/!s/,[^,]*$//' "$2/$file" > second.curve
+        cmp first.curve second.curve || fail "the curves of $1 and $2 differ"
+        ;;
+      *) cmp "$1/$file" "$2/$file" || fail "$1 and $2 differ in $file" ;;
+    esac
+  done < first.txt
+  for file in "$1" "$2"; do
+    sed '1,/"results"/d; /"time_/d' "$file/run.json" > "$file.json"
+  done
+  diff "$1.json" "$2.json" || fail "$1 and $2 have other key results"
+  [ "$(wc -l < "$1.json")" -gt 20 ] || fail "key results are missing"
+}
+
+if [ "$part" = cells ] || [ "$part" = law ]; then
+  input=$part
+  "$tamp" die $input.prm -o $input --no-plots -q \
+    --set 'Output/Checkpoint interval = 0'
+  [ ! -e $input/checkpoint ] || fail "a checkpoint that nobody asked for"
+  last=$(tail -n 1 $input/curve.csv | cut -d, -f1)
+  # Half-written files are left, too: every step writes one.
+  kill_after KILL 1 $input.prm killed_$input
+  for twentieth in 7 14; do
+    [ "$status" -eq 137 ] || fail "exit code $status"
+    kill_after KILL $((last * twentieth / 20)) $input.prm killed_$input \
+      --resume --threads $((twentieth % 2 + 1))
+  done
+  # SIGTERM writes one, and the fields of that step, which later go.
+  kill_after TERM $((last * 17 / 20)) $input.prm killed_$input --resume
+  [ "$status" -eq 143 ] || fail "SIGTERM: exit code $status"
+  "$tamp" die $input.prm -o killed_$input --no-plots -q --resume
+  [ "$(grep -c 'going on after step' killed_$input/log.txt)" -eq 4 ] ||
+    fail "log.txt does not tell where the run went on"
+  grep -q '"resumed_after_steps"' killed_$input/run.json || fail "run.json"
+  leaves $input killed_$input
+  # SIGUSR1 writes one, and the run goes on.
+  asked_in asked true
+  [ "$(find asked/checkpoint -name '*.tamp' | wc -l)" -eq 1 ] ||
+    fail "SIGUSR1: no checkpoint"
+  leaves $input asked
+  echo "all well"
+fi
+
+if [ "$part" = refused ]; then
+  kill_after TERM 12 law.prm run
+  cp -a run untouched
+  untouched() {
+    diff -r run untouched || fail "$1: the folder was changed"
+  }
+  again=("$tamp" die law.prm --resume --no-plots -q)
+  expect 2 'missing' 'not the folder of a run' -- "${again[@]}" -o missing
+  [ ! -e missing ] || fail "a folder was made"
+  expect 2 '--force' -- "${again[@]}" -o run --force
+  expect 2 'the input is not that of the run' \
+    'Die/Wall friction coefficient = 0.3, was 0.2' 'Nothing was changed' -- \
+    "${again[@]}" -o run --set 'Die/Wall friction coefficient = 0.3'
+  untouched "another input"
+  # Flipped, cut off, of another format: the older one is used.
+  step_of run
+  newest=run/checkpoint/$(printf 'step_%04d.tamp' "$newest")
+  older=$(find run/checkpoint -name '*.tamp' ! -path "$newest")
+  has "$newest" "$older"
+  spoil() {
+    case $1 in
+      flipped) printf 'X' | dd of="$2" bs=1 seek=9000 conv=notrunc status=none ;;
+      cut) truncate -s -20 "$2" ;;
+      format) sed -i '1s/format 1/format 2/' "$2" ;;
+    esac
+  }
+  "$tamp" die law.prm -o whole --no-plots -q
+  for way in flipped cut format; do
+    rm -rf run && cp -a untouched run
+    spoil $way "$newest"
+    "${again[@]}" -o run --set 'Output/Checkpoint interval = 1 h' > /dev/null ||
+      fail "$way: exit code $?"
+    grep -q "warning: the checkpoint '$newest' cannot be used" run/log.txt ||
+      fail "$way: log.txt does not tell"
+    grep -q "going on after step.*$older" run/log.txt ||
+      fail "$way: the older one was not used"
+    sed -i '/"warnings"/,/\],/d' run/run.json
+    leaves whole run
+  done
+  rm -rf run && cp -a untouched run
+  spoil flipped "$newest"
+  spoil format "$older"
+  rm -rf untouched && cp -a run untouched
+  expect 4 "$newest" "$older" 'damaged' 'format 2' 'Nothing was changed' -- \
+    "${again[@]}" -o run
+  rm -rf run/checkpoint untouched/checkpoint
+  expect 2 'no checkpoint' 'run/checkpoint' -- "${again[@]}" -o run
+  untouched "no checkpoint"
+  [ "$failures" -eq 0 ] || exit 1
+  echo "all well"
+fi
+
+if [ "$part" = failing ]; then
+  # No room for checkpoints, whoever runs the test: files end at 64 kB.
+  (
+    trap '' XFSZ
+    ulimit -f 64
+    export PMIX_MCA_gds=hash # MPI's shared memory is a larger file
+    "$tamp" die cells.prm -o full --no-plots -q
+  ) || fail "no room: exit code $?"
+  grep -q 'warning: no checkpoint of step 1: .*File too large; the run goes on' \
+    full/log.txt || fail "no room: log.txt does not tell"
+  grep -q 'no checkpoint of step' full/summary.txt || fail "no room: summary.txt"
+  [ "$(find full/checkpoint -type f | wc -l)" -eq 0 ] || fail "no room: a file"
+  # A folder that cannot be written keeps what it has.
+  kill_after TERM 8 cells.prm barred
+  step_of barred
+  before=$newest
+  mkdir -p "barred/checkpoint/$(
+    printf 'step_%04d.tamp.part' $((before + 1))
+  )/x"
+  "$tamp" die cells.prm -o barred --no-plots -q --resume
+  grep -q "warning: no checkpoint of step $((before + 1)): " barred/log.txt ||
+    fail "barred: log.txt does not tell"
+  step_of barred
+  [ "$newest" -gt "$((before + 1))" ] || fail "barred: no later ones"
+  # What stands where the folder should be.
+  asked_in plain touch plain/checkpoint
+  grep -q "warning: no checkpoint of step .*'plain/checkpoint'" plain/log.txt ||
+    fail "plain: log.txt does not tell"
+  rm plain/checkpoint
+  for folder in plain barred; do
+    sed -i '/"warnings"/,/\],/d' $folder/run.json
+  done
+  leaves plain barred
+  echo "all well"
+fi
