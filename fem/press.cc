@@ -241,12 +241,17 @@ Press::contact_blocks(const std::vector<PairForce> &forces,
                       const ToolPositions &tools) const
 {
   std::vector<ContactBlock> blocks;
-  for (std::size_t i = 0; i < forces.size(); ++i)
-    if (forces[i].status != ContactStatus::open)
-      blocks.push_back({contact_.pairs()[i].node,
-                        contact_.pairs()[i].tool,
-                        forces[i].status,
-                        contact_.stiffness(i, forces[i], positions, tools)});
+  for (std::size_t i = 0; i < forces.size(); ++i) {
+    const PairForce &force = forces[i];
+    if (force.status == ContactStatus::open)
+      continue;
+    const bool slips = force.status == ContactStatus::slip && force.slip > 0;
+    blocks.push_back({contact_.pairs()[i].node,
+                      contact_.pairs()[i].tool,
+                      force.status,
+                      contact_.stiffness(i, force, positions, tools),
+                      slips ? force.friction.norm() / force.slip : 0});
+  }
   if (mesh().is_axisymmetric())
     for (ContactBlock &block : blocks)
       for (unsigned i = 0; i < 3; ++i)

@@ -14,6 +14,10 @@ namespace
 /// untouched: only the way there is.
 constexpr double grounding = 1e-10;
 
+/// A loaded tool is held by nothing if its stiffness is less than this share of
+/// friction over slip.
+constexpr double unheld = 1e-6;
+
 /// Rigid displacements and rotations that the mesh's section knows, zero where
 /// a node is held.
 std::vector<std::vector<double>> rigid_modes(const Mesh &mesh,
@@ -163,6 +167,7 @@ void PressSystem::fill(const SparseRows &stiffness,
 bool PressSystem::border(const std::vector<ContactBlock> &contacts)
 {
   dealii::Tensor<2, 3> schur;
+  dealii::Tensor<1, 3> secant;
   for (unsigned i = 0; i < 3; ++i) {
     answers_[i].clear();
     rows_[i].clear();
@@ -176,6 +181,7 @@ bool PressSystem::border(const std::vector<ContactBlock> &contacts)
       if (tool_dof(mesh_, contact.tool) != tool_dof(mesh_, i))
         continue;
       schur[i][i] += contact.stiffness[2][2];
+      secant[i] += contact.secant;
       for (unsigned c = 0; c < mesh_.components(); ++c) {
         const std::size_t dof = mesh_.dof(contact.node, c);
         if (held_[dof])
@@ -192,6 +198,11 @@ bool PressSystem::border(const std::vector<ContactBlock> &contacts)
     for (unsigned j = 0; j < 3; ++j)
       if (loaded_[i] && loaded_[j])
         schur[i][j] -= dot(rows_[i], answers_[j]);
+  // Where all nodes slip nothing holds a loaded tool: it goes back by as much
+  // as they slip, until some stick.
+  for (unsigned i = 0; i < 3; ++i)
+    if (loaded_[i] && std::abs(schur[i][i]) < unheld * secant[i])
+      schur[i][i] = secant[i];
   if (!(std::abs(dealii::determinant(schur)) > 0))
     return false;
   inverse_schur_ = dealii::invert(schur);

@@ -34,6 +34,7 @@ struct ContactBlock {
   unsigned node = 0, tool = 0;
   ContactStatus status = ContactStatus::open;
   dealii::Tensor<2, 3> stiffness; ///< - d force / d position of the node [N/m]
+  double secant = 0; ///< friction over slip in the increment, if it slips [N/m]
 };
 
 /// The linear equations of the compact between its tools. The matrix holds the

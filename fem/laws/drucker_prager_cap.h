@@ -34,7 +34,7 @@ struct DruckerPragerCapParameters {
   DensityTable hardening = mcc_ph102::hardening();
   double reference_density = mcc_ph102::reference_density;      ///< D_ref [-]
   double initial_relative_density = mcc_ph102::initial_density; ///< D_0 [-]
-  double transition = 0;              ///< alpha [-], 0 to 0.1
+  double transition = 0;                 ///< alpha [-], 0 to 0.1
   Dilation dilation = Dilation::bounded; ///< in shear failure
   /// No part is a larger strain than this, but for the mixture with smaller
   /// parts up to twice of it; norm [-].

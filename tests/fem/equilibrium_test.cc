@@ -137,6 +137,29 @@ TEST(Equilibrium, LoadedPunchMatchesTheMovedOne)
                 1e-7 * 2e-4);
 }
 
+// With such a guess all nodes slip along the die, and nothing holds it.
+TEST(Equilibrium, FloatingDieIsFoundFromAnyGuess)
+{
+  std::vector<double> places;
+  for (const double guess : {-1e-4, 0., 2e-4, 2e-3}) {
+    Bench bench(solver(NonlinearMethod::newton));
+    ASSERT_TRUE(bench.attempt(down(1e-4)).converged);
+    bench.equilibrium.accept();
+    Motion motion = down(1e-4);
+    motion[die_wall].loaded = true;
+    motion[die_wall].displacement = guess;
+    const Attempt attempt = bench.attempt(motion);
+    ASSERT_TRUE(attempt.converged) << guess << ": " << attempt.reason;
+    places.push_back(
+        bench.equilibrium.increment()[tool_dof(bench.mesh, die_wall)]);
+    EXPECT_NEAR(attempt.forces[die_wall].force[2],
+                0,
+                1e-9 * attempt.forces[die_wall].normal);
+  }
+  for (const double place : places)
+    EXPECT_NEAR(place, places[0], 1e-7 * 1e-4); // of the punch's way
+}
+
 TEST(Equilibrium, FailedAttemptLeavesNoTrace)
 {
   const std::vector<double> taken = {1e-4, 5e-5, 6e-5};
