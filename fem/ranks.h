@@ -6,6 +6,8 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
+#include <vector>
 
 namespace tamp::fem
 {
@@ -38,6 +40,18 @@ public:
   bool all(bool good) const;
   /// Copies the values of one rank to all.
   void spread(std::span<double> values, unsigned from = 0) const;
+  /// Copies bytes, as many as there are, of one rank to all.
+  void spread(std::vector<char> &bytes, unsigned from) const;
+  /// Completes values of which every rank has a range, rank r that from
+  /// begins[r] to begins[r + 1].
+  void gather(std::span<double> values,
+              std::span<const std::size_t> begins) const;
+  /// The bytes of all ranks, in the order of the ranks, on every rank.
+  std::vector<char> join(const std::vector<char> &bytes) const;
+  /// The text of the first rank that has any, on every rank.
+  std::string first_text(const std::string &text) const;
+  /// Do all ranks hold the same bits? Tells by a checksum of 64 bits.
+  bool alike(std::span<const double> values) const;
 
 private:
   MPI_Comm communicator_;
