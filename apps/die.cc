@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <apps/cell_remarks.h>
 #include <apps/commands.h>
+#include <apps/die_cells.h>
 #include <apps/die_maps.h>
 #include <apps/die_output.h>
 #include <apps/die_plots.h>
@@ -13,9 +13,6 @@
 #include <apps/units.h>
 #include <fem/die_model.h>
 #include <fem/stop_watch.h>
-
-#include <deal.II/base/symmetric_tensor.h>
-#include <deal.II/base/tensor.h>
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +28,6 @@ using fem::StageKind;
 
 // Cells packed below this pressure may collapse in the first steps.
 constexpr double safe_start_pressure = 0.5e6;
-constexpr double force_floor_share = 0.1;
 
 // Steps that each stage will need, roughly: for the time left.
 std::vector<double> expected_steps(const fem::DieSettings &die)
@@ -54,14 +50,15 @@ public:
   DieRun(RunSession &session, const fem::Ranks &ranks)
       : session_(session), ranks_(ranks), settings_(session.input().die),
         mesh_(session.input().mesh.mesh),
-        material_(prepare_material(session, number_of_own_points())),
+        material_(make_die_material(session, ranks)),
         points_(*material_.points),
         model_(
             settings_,
             mesh_,
             points_,
             [this](unsigned stage, double peak) { begin(stage, peak); },
-            ranks),
+            material_.model_ranks),
+        cells_(session, model_, material_.cells),
         output_(session, model_, points_, material_.cells),
         steps_(expected_steps(settings_))
   {
@@ -89,12 +86,6 @@ public:
   }
 
 private:
-  std::size_t number_of_own_points() const
-  {
-    return ranks_.share(mesh_.number_of_cells()).size() *
-           mesh_.points_per_cell();
-  }
-
   RunEnd press()
   {
     RunLog &log = session_.log();
@@ -153,8 +144,6 @@ private:
   }
   StageKind kind(unsigned number) const { return stage_at(number).kind; }
 
-  // The direction of loading turns: what cells learnt of it is of no use, and
-  // forces that are small against those of the peak need no perfect balance.
   void begin(unsigned stage, double peak_pressure)
   {
     stage_ = stage;
@@ -162,15 +151,7 @@ private:
                                       stage + 1,
                                       name_of(kind(stage)),
                                       peak_pressure / 1e6));
-    if (!material_.cells)
-      return;
-    material_.cells->turn();
-    const double diameter =
-        session_.input().material.packing.sizes.mean_diameter;
-    const bool turning =
-        kind(stage) == StageKind::unload || kind(stage) == StageKind::eject;
-    material_.cells->set_force_floor(
-        turning ? force_floor_share * peak_pressure * diameter * diameter : 0);
+    cells_.begin_stage(kind(stage), peak_pressure);
   }
 
   void take_step()
@@ -178,47 +159,17 @@ private:
     const fem::StepRecord &record = model_.last_step();
     StepEffort effort;
     effort.wall_time = session_.log().progress().elapsed();
-    if (material_.cells) {
-      effort.evaluations = material_.cells->report().mean_evaluations;
-      effort.worst_unbalance = material_.cells->report().worst_unbalance;
-      effort.worst_hill_mandel = material_.cells->report().worst_hill_mandel;
-    }
+    cells_.measure(effort);
     if (curve_)
       curve_->write(die_values(record, effort));
     results_.take(record, stage_at(record.stage), effort);
     output_.write_point_lines();
-    if (material_.cells)
-      judge_cells(record);
+    cells_.judge(
+        fmt::format("{} ({})", record.step, name_of(kind(record.stage))));
     if (results_.at_peak())
       maps_.take_peak(mesh_, model_);
     session_.log().step(
         share(record), record.step, "steps", line(record, effort));
-  }
-
-  void judge_cells(const fem::StepRecord &record)
-  {
-    const auto &responses = model_.responses();
-    for (std::size_t point = 0; point < material_.cells->size(); ++point)
-      cell_remarks_.take(point,
-                         dem::judge(material_.cells->cell(point),
-                                    session_.input().material.driving,
-                                    -trace(responses[point].stress) / 3),
-                         [&] { return place(point, record); });
-  }
-
-  std::string place(std::size_t point, const fem::StepRecord &record) const
-  {
-    const auto position = model_.point_positions()[point];
-    return fmt::format(
-        "point {} at r = {:.4g} mm, z = {:.4g} mm, step {} ({}), volumetric "
-        "strain {:.4g}",
-        point,
-        1e3 * position[0],
-        1e3 * position[2],
-        record.step,
-        name_of(kind(record.stage)),
-        // Nobody wants to read -0.
-        0 - std::log(determinant(model_.deformation_gradients()[point])));
   }
 
   double share(const fem::StepRecord &record) const
@@ -292,8 +243,7 @@ private:
 
   std::string reason(const fem::Failure &failure) const
   {
-    const std::string problem =
-        material_.cells ? material_.cells->report().problem : "";
+    const std::string problem = cells_.problem();
     return problem.empty() ? failure.reason
                            : failure.reason + " (" + problem + ")";
   }
@@ -301,7 +251,7 @@ private:
   void give()
   {
     results_.give(session_);
-    cell_remarks_.give();
+    cells_.give();
     session_.heading("Time, share of the run");
     const fem::ModelTimes times = model_.times();
     session_.result("time_material[s]", times.material);
@@ -333,15 +283,15 @@ private:
   const fem::Ranks &ranks_;
   const fem::DieSettings &settings_;
   const fem::Mesh &mesh_;
-  coupling::Material material_;
+  DieMaterial material_;
   RecordedPoints points_;
   fem::DieModel model_;
+  DieCells cells_;
   DieOutput output_;
   std::unique_ptr<CurveWriter> curve_; ///< of the first rank
   std::vector<double> steps_;
   unsigned stage_ = 0;
   DieResults results_;
-  CellRemarks cell_remarks_{session_, "point", mesh_.number_of_points()};
   DieMaps maps_;
   double time_output_ = 0, time_plots_ = 0; ///< [s]
 };
@@ -382,7 +332,10 @@ int run_die(const RunOptions &options)
   return run_under_mpi(
       [&options, job = std::make_shared<Job>()](const fem::Ranks &ranks) {
         RunSession &session = job->session.emplace(
-            "die", options, Need::die, RankPlace{ranks.rank(), ranks.size()});
+            "die",
+            options,
+            Need::die,
+            RankPlace{ranks.rank(), ranks.size(), ranks_on_these_cores(ranks)});
         return session.run([&] { return press(*job, ranks); });
       });
 }

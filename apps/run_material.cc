@@ -65,28 +65,29 @@ void warn_of_law(RunSession &session)
     session.warn("Material/Drucker-Prager cap: " + remark.text());
 }
 
-coupling::Material prepare_material(RunSession &session, std::size_t count)
+coupling::Material
+prepare_material(RunSession &session, const fem::Share &points, std::size_t all)
 {
-  const coupling::MaterialChoice &choice = session.input().material;
+  coupling::MaterialChoice choice = session.input().material;
+  choice.first_point = points.begin;
   RunLog &log = session.log();
   const bool cells = choice.kind == coupling::MaterialKind::unit_cell;
   warn_of_law(session);
   if (cells) {
     warn_of_contact_model(session);
-    log.begin(packing_title(choice, choice.same_packing ? 1 : count));
+    log.begin(packing_title(choice, choice.same_packing ? 1 : all));
   }
   try {
     auto material =
-        coupling::make_material(choice, count, [&](std::size_t made) {
-          log.step(static_cast<double>(made) / static_cast<double>(count),
-                   static_cast<double>(made),
-                   "packings",
-                   "");
+        coupling::make_material(choice, points.size(), [&](std::size_t made) {
+          // Other ranks make theirs at about the same pace.
+          const double share =
+              static_cast<double>(made) / static_cast<double>(points.size());
+          log.step(share, share * static_cast<double>(all), "packings", "");
         });
     log.end();
     if (cells)
       session.result("time_packing[s]", log.progress().elapsed());
-    warn_of_history(session, material.history);
     return material;
   } catch (const std::invalid_argument &) {
     throw;

@@ -32,7 +32,7 @@ struct RunOptions {
   std::filesystem::path input;
   std::filesystem::path output; ///< empty: results/<name of the input>
   std::vector<std::string> settings;
-  std::optional<int> threads; ///< none: all cores this process may use
+  std::optional<int> threads; ///< none: all cores this rank may use
   bool force = false;
   bool plots = true;
   Verbosity verbosity = Verbosity::normal;
@@ -47,6 +47,7 @@ struct RunEnd {
 /// Which of the ranks that mpirun started this process is.
 struct RankPlace {
   unsigned rank = 0, ranks = 1;
+  unsigned on_these_cores = 1; ///< ranks that may use the same cores
   bool first() const { return rank == 0; }
 };
 
@@ -104,8 +105,10 @@ private:
 
 /// Number of cores this process may use.
 unsigned available_cores();
-/// What --threads says, all cores if it says nothing. Throws InputError.
-unsigned checked_threads(const std::optional<int> &wanted);
+/// What --threads says; if it says nothing, this rank's part of the cores that
+/// it may use together with others. Throws InputError.
+unsigned checked_threads(const std::optional<int> &wanted,
+                         const RankPlace &place = {});
 } // namespace tamp::apps
 
 #endif
