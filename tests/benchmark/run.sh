@@ -39,6 +39,11 @@ for program in $programs; do
   awk -f "$here/rows.awk" "$scratch/$program.json" >>"$lines"
 done
 
+# value NAME FOLDER: of a key result of a run.
+value() {
+  sed -n "s/^ *\"$1\": \([0-9.eE+-]*\),*\$/\1/p" "$scratch/$2/run.json"
+}
+
 # run_die NAME EXAMPLE [OPTION...]: wall time of a die example, cell updates per
 # load step, and where the time went, from its run.json. Runs if FILTER matches
 # any name of its rows.
@@ -46,17 +51,18 @@ run_die() {
   parts="packing material assembly contact linear_solver model"
   printf "%s\n" "$1.wall" "$1.cell_updates_per_step" "$1.time." |
     grep -Eq -- "${filter:-.}" || return 0
-  "$build/apps/tamp" die "$root/apps/examples/$2/$2.prm" \
-    -o "$scratch/$2" -q --no-plots "${@:3}"
-  value() {
-    sed -n "s/^ *\"$1\": \([0-9.eE+-]*\),*\$/\1/p" "$scratch/$2/run.json"
-  }
+  name=$1
+  example=$2
+  shift 2
+  "$build/apps/tamp" die "$root/apps/examples/$example/$example.prm" \
+    -o "$scratch/$example" -q --no-plots "$@"
   {
-    echo "$1.wall,$(value 'wall_time\[s\]' "$2"),s"
-    echo "$1.cell_updates_per_step,$(value 'cell_updates_per_step\[-\]' "$2"),-"
+    echo "$name.wall,$(value 'wall_time\[s\]' "$example"),s"
+    echo "$name.cell_updates_per_step,$(
+      value 'cell_updates_per_step\[-\]' "$example"),-"
     for part in $parts; do
-      seconds=$(value "time_$part\[s\]" "$2")
-      [ -z "$seconds" ] || echo "$1.time.$part,$seconds,s"
+      seconds=$(value "time_$part\[s\]" "$example")
+      [ -z "$seconds" ] || echo "$name.time.$part,$seconds,s"
     done
   } >>"$lines"
 }
