@@ -69,6 +69,33 @@ run_die() {
 run_die die_dpc mcc_tablet --set "Die/Elements = 28, 50" --threads 1
 run_die die_default die_default
 
+# seconds_in_cells RANKS THREADS: wall time of the evaluations of all cells in
+# the first steps of die_default.
+seconds_in_cells() {
+  mpirun --bind-to none -np "$1" "$build/apps/tamp" die \
+    "$root/apps/examples/die_default/die_default.prm" \
+    -o "$scratch/cells" --force -q --no-plots --threads "$2" \
+    --set "Schedule/Stages = press to density 0.66" >&2
+  value 'time_material\[s\]' cells
+}
+
+# The share of two cores' time that is used, on two threads and on two ranks:
+# one core's over twice that of two, each the least of three, taken in turn, as
+# other work on the machine only adds to it.
+run_efficiency() {
+  printf "%s\n" coupling.thread_efficiency.2 coupling.rank_efficiency.2 |
+    grep -Eq -- "${filter:-.}" || return 0
+  for _ in 1 2 3; do
+    echo "$(seconds_in_cells 1 1) $(seconds_in_cells 1 2)" \
+      "$(seconds_in_cells 2 1)"
+  done | awk '
+    { for (i = 1; i <= 3; ++i) if (NR == 1 || $i < least[i]) least[i] = $i }
+    END { print "coupling.thread_efficiency.2," least[1] / (2 * least[2]) ",-"
+      print "coupling.rank_efficiency.2," least[1] / (2 * least[3]) ",-" }' \
+    >>"$lines"
+}
+run_efficiency
+
 # The processor, its clock if the system knows it, and how many.
 machine() {
   model=$(sed -n 's/^model name[^:]*: //p' /proc/cpuinfo | head -n 1)
