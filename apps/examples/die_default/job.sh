@@ -14,8 +14,8 @@
 #SBATCH --nodes=2
 #SBATCH --exclusive
 #SBATCH --time=02:00:00
-# Five minutes before the end mpirun is told, which tells all ranks: the step at
-# hand is finished, results are kept.
+# Five minutes before the end this script is told, which tells the ranks of this
+# node, which tell all: the step at hand is finished, results are kept.
 #SBATCH --signal=B:TERM@300
 set -eu
 input=$1
@@ -23,8 +23,6 @@ per=${2:-node}
 cores=${SLURM_CPUS_ON_NODE:-$(env -u OMP_NUM_THREADS nproc)}
 # Threads are the program's own.
 export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
-# After SIGTERM, mpirun waits so long [s] before it kills.
-export OMPI_MCA_odls_base_sigkill_timeout=240
 
 case $per in
 node) layout="--map-by ppr:1:node --bind-to none" threads=$cores ;;
@@ -35,5 +33,15 @@ core) layout="--map-by core --bind-to core" threads=1 ;;
   ;;
 esac
 # shellcheck disable=SC2086
-exec mpirun $layout -x OMP_NUM_THREADS -x OPENBLAS_NUM_THREADS \
-  "${TAMP:-tamp}" die "$input" --threads "$threads" -o "${RESULTS:-results}"
+mpirun $layout -x OMP_NUM_THREADS -x OPENBLAS_NUM_THREADS \
+  "${TAMP:-tamp}" die "$input" --threads "$threads" -o "${RESULTS:-results}" &
+run=$!
+trap 'pkill -TERM -P "$run" -x tamp' TERM
+status=0
+wait "$run" || status=$?
+# The signal ends the first wait, not the run.
+if kill -0 "$run" 2> /dev/null; then
+  status=0
+  wait "$run" || status=$?
+fi
+exit "$status"
