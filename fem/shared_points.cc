@@ -2,8 +2,9 @@
 #include <fem/shared_points.h>
 
 #include <algorithm>
-#include <list>
+#include <map>
 #include <stdexcept>
+#include <utility>
 
 namespace tamp::fem
 {
@@ -56,53 +57,6 @@ std::vector<double> numbers(std::span<const Deformation> deformations)
         all.push_back(deformation.relative_F[i][j]);
   return all;
 }
-
-/// States on their way to another rank.
-class Parcels
-{
-public:
-  explicit Parcels(const Ranks &ranks) : ranks_(ranks) {}
-
-  std::vector<char> &add() { return parcels_.emplace_back(); }
-  void send_last(unsigned to)
-  {
-    MPI_Isend(parcels_.back().data(),
-              static_cast<int>(parcels_.back().size()),
-              MPI_CHAR,
-              static_cast<int>(to),
-              0,
-              ranks_.communicator(),
-              &requests_.emplace_back());
-  }
-  std::vector<char> receive(unsigned from) const
-  {
-    MPI_Status status;
-    int count = 0;
-    const int source = static_cast<int>(from);
-    MPI_Probe(source, 0, ranks_.communicator(), &status);
-    MPI_Get_count(&status, MPI_CHAR, &count);
-    std::vector<char> bytes(static_cast<std::size_t>(count));
-    MPI_Recv(bytes.data(),
-             count,
-             MPI_CHAR,
-             source,
-             0,
-             ranks_.communicator(),
-             MPI_STATUS_IGNORE);
-    return bytes;
-  }
-  void wait()
-  {
-    MPI_Waitall(static_cast<int>(requests_.size()),
-                requests_.data(),
-                MPI_STATUSES_IGNORE);
-  }
-
-private:
-  const Ranks &ranks_;
-  std::list<std::vector<char>> parcels_;
-  std::vector<MPI_Request> requests_;
-};
 
 unsigned holder_of(std::size_t point, const Begins &begins)
 {
@@ -187,21 +141,23 @@ void SharedPoints::rebalance()
 
 void SharedPoints::move_to(const Begins &begins)
 {
-  const Share old = share(),
-              now{begins[ranks_.rank()], begins[ranks_.rank() + 1]};
-  Parcels parcels(ranks_);
-  for (std::size_t i = old.begin; i < old.end; ++i)
-    if (!now.holds(i)) {
-      own_->pack(i - old.begin, parcels.add());
-      parcels.send_last(holder_of(i, begins));
-    }
-  own_->hold(now);
-  for (std::size_t i = now.begin; i < now.end; ++i)
-    if (!old.holds(i))
-      own_->unpack(i - now.begin, parcels.receive(rank_of(i)));
-  parcels.wait();
-  for (std::size_t i = 0; i < size(); ++i)
-    moved_ += rank_of(i) != holder_of(i, begins) ? 1 : 0;
+  const unsigned here = ranks_.rank();
+  std::map<std::size_t, std::vector<char>> arrived;
+  for (std::size_t i = 0; i < size(); ++i) {
+    const unsigned from = rank_of(i), to = holder_of(i, begins);
+    if (from == to)
+      continue;
+    ++moved_;
+    std::vector<char> state;
+    if (from == here)
+      own_->pack(i - share().begin, state);
+    ranks_.move(state, from, to);
+    if (to == here)
+      arrived.emplace(i, std::move(state));
+  }
+  own_->hold({begins[here], begins[here + 1]});
+  for (const auto &[i, state] : arrived)
+    own_->unpack(i - share().begin, state);
   begins_ = begins;
 }
 
