@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <coupling/checkpoint.h>
 #include <coupling/shared_cells.h>
 #include <fem/build_mesh.h>
 #include <fem/die_model.h>
 #include <tests/coupling/sample_cells.h>
 
+#include <filesystem>
 #include <gtest/gtest.h>
 #include <memory>
+#include <optional>
 #include <string>
+#include <unistd.h>
 #include <vector>
 
 namespace tamp::coupling
@@ -188,5 +192,27 @@ TEST(ParallelCells, AreJudgedAndCopiedAsByOneRank)
     EXPECT_EQ(copy.cell, same.cell);
     EXPECT_EQ(copy.rotation, same.rotation);
   }
+}
+
+TEST(ParallelCells, AreStoredWhereverTheyAreAndTakenUpAsSharedOutAnew)
+{
+  const fem::Ranks ranks = ranks_of_all();
+  SharedCells shared = share_cells(ranks), fresh = share_cells(ranks);
+  std::vector<fem::Response> answers(count);
+  shared.evaluate(uneven(), fem::Want::stress, answers);
+  shared.commit();
+  ASSERT_EQ(shared.loads().moved > 0, ranks.size() > 1);
+  const std::vector<char> bytes = bytes_of(shared);
+  ASSERT_NE(bytes_of(fresh), bytes);
+  // The first rank writes and reads.
+  const auto folder = std::filesystem::temp_directory_path() /
+                      ("tamp_parallel_cells_" + std::to_string(getpid()));
+  write_checkpoint(folder, {"1.2.3", "", 1}, {}, shared.own(), ranks);
+  std::optional<FoundCheckpoint> found;
+  if (ranks.rank() == 0)
+    found = find_checkpoint(folder, "1.2.3");
+  unpack_points(found ? &*found : nullptr, fresh.own(), ranks);
+  EXPECT_EQ(bytes_of(fresh), bytes);
+  std::filesystem::remove_all(folder);
 }
 } // namespace tamp::coupling
