@@ -15,12 +15,17 @@
 #SBATCH --exclusive
 #SBATCH --time=02:00:00
 # Five minutes before the end this script is told, which tells the ranks of this
-# node, which tell all: the step at hand is finished, results are kept.
+# node, which tell all: the step at hand is finished, a checkpoint written. The
+# same job, started again, goes on from there. mpirun, told instead, may kill
+# before: see apps/README.md.
 #SBATCH --signal=B:TERM@300
 set -eu
 input=$1
 per=${2:-node}
 cores=${SLURM_CPUS_ON_NODE:-$(env -u OMP_NUM_THREADS nproc)}
+results=${RESULTS:-results}
+again=
+[ ! -d "$results/checkpoint" ] || again=--resume
 # Threads are the program's own.
 export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 
@@ -34,7 +39,7 @@ core) layout="--map-by core --bind-to core" threads=1 ;;
 esac
 # shellcheck disable=SC2086
 mpirun $layout -x OMP_NUM_THREADS -x OPENBLAS_NUM_THREADS \
-  "${TAMP:-tamp}" die "$input" --threads "$threads" -o "${RESULTS:-results}" &
+  "${TAMP:-tamp}" die "$input" --threads "$threads" -o "$results" $again &
 run=$!
 trap 'pkill -TERM -P "$run" -x tamp' TERM
 status=0
