@@ -307,6 +307,7 @@ RunEnd press(Job &job, const fem::Ranks &ranks)
 
 int run_die(const RunOptions &options)
 {
+  watch_checkpoint_signal(); // which would end the run while it packs
   return run_under_mpi(
       [&options, job = std::make_shared<Job>()](const fem::Ranks &ranks) {
         RunSession &session = job->session.emplace(
