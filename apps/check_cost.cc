@@ -177,6 +177,11 @@ void say_memory(CheckReport &report,
                             megabytes(bytes_of_point * count + equations),
                             megabytes(equations)));
     all += bytes_of_point * count + equations;
+    if (trial.grains > 0) // cells are shared out, all else every rank has
+      report.line(
+          "further ranks",
+          fmt::format("about {} each; the cells are shared out",
+                      megabytes(program + bytes_of_point * count + equations)));
   }
   const double machine = memory_of_machine();
   report.line(

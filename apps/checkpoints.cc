@@ -16,7 +16,6 @@ using Seconds = std::chrono::duration<double>;
 Checkpoints::Checkpoints(RunSession &session, const fem::Ranks &ranks)
     : session_(session), ranks_(ranks)
 {
-  watch_checkpoint_signal();
   if (session.found())
     last_step_ = session.found()->title.step;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <apps/cell_remarks.h>
 #include <apps/checkpoints.h>
 #include <apps/commands.h>
+#include <apps/die_cells.h>
 #include <apps/die_maps.h>
 #include <apps/die_output.h>
 #include <apps/die_plots.h>
@@ -17,11 +17,7 @@
 #include <fem/die_model.h>
 #include <fem/stop_watch.h>
 
-#include <deal.II/base/symmetric_tensor.h>
-#include <deal.II/base/tensor.h>
-
 #include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
 #include <memory>
 #include <optional>
@@ -32,25 +28,22 @@ namespace
 {
 using fem::StageKind;
 
-constexpr double force_floor_share = 0.1;
-
 class DieRun
 {
 public:
   DieRun(RunSession &session, const fem::Ranks &ranks)
       : session_(session), ranks_(ranks), settings_(session.input().die),
         mesh_(session.input().mesh.mesh),
-        material_(session.resumes()
-                      ? stand_ins(session, number_of_own_points())
-                      : prepare_material(session, number_of_own_points())),
+        material_(make_die_material(session, ranks)),
         points_(*material_.points), stored_(session, ranks),
         model_(
             settings_,
             mesh_,
             points_,
             [this](unsigned stage, double peak) { begin(stage, peak); },
-            ranks,
+            material_.model_ranks,
             stored_.model),
+        cells_(session, model_, material_.cells),
         output_(session, model_, points_, material_.cells),
         checkpoints_(session, ranks)
   {
@@ -85,12 +78,6 @@ public:
   }
 
 private:
-  std::size_t number_of_own_points() const
-  {
-    return ranks_.share(mesh_.number_of_cells()).size() *
-           mesh_.points_per_cell();
-  }
-
   RunEnd press()
   {
     RunLog &log = session_.log();
@@ -141,28 +128,26 @@ private:
     fem::append_state(bytes, time_so_far());
     fem::append_state(bytes, time_output_);
     fem::append_state(bytes, stage_);
-    fem::append_state(bytes, force_floor_);
     fem::append_state(bytes, results_);
     output_.pack(bytes);
-    cell_remarks_.pack(bytes);
+    cells_.pack(bytes);
     maps_.pack(bytes);
     session_.pack(bytes);
     std::vector<char> state;
     fem::append_state(state, bytes);
     model_.pack(state);
-    checkpoints_.write(model_.last_step().step, state, points_);
+    checkpoints_.write(model_.last_step().step, state, material_.own());
   }
 
   void go_on()
   {
-    coupling::unpack_points(session_.found(), points_, ranks_);
+    coupling::unpack_points(session_.found(), material_.own(), ranks_);
     fem::StateBytes stored(stored_.run);
     std::uint64_t curve_size = 0;
     stored.take(curve_size);
     stored.take(time_before_);
     stored.take(time_output_);
     stored.take(stage_);
-    stored.take(force_floor_);
     stored.take(results_);
     if (session_.place().first())
       curve_ =
@@ -170,11 +155,9 @@ private:
                                         die_header().size(),
                                         curve_size);
     output_.go_on(stored);
-    cell_remarks_.go_on(stored);
+    cells_.go_on(stored);
     maps_.go_on(stored);
     session_.go_on(stored);
-    if (material_.cells)
-      material_.cells->set_force_floor(force_floor_);
   }
 
   void write_output(unsigned step, bool must)
@@ -190,8 +173,6 @@ private:
   }
   StageKind kind(unsigned number) const { return stage_at(number).kind; }
 
-  // The direction of loading turns: what cells learnt of it is of no use, and
-  // forces that are small against those of the peak need no perfect balance.
   void begin(unsigned stage, double peak_pressure)
   {
     stage_ = stage;
@@ -199,16 +180,7 @@ private:
                                       stage + 1,
                                       name_of(kind(stage)),
                                       peak_pressure / 1e6));
-    if (!material_.cells)
-      return;
-    material_.cells->turn();
-    const double diameter =
-        session_.input().material.packing.sizes.mean_diameter;
-    const bool turning =
-        kind(stage) == StageKind::unload || kind(stage) == StageKind::eject;
-    force_floor_ =
-        turning ? force_floor_share * peak_pressure * diameter * diameter : 0;
-    material_.cells->set_force_floor(force_floor_);
+    cells_.begin_stage(kind(stage), peak_pressure);
   }
 
   void take_step()
@@ -216,49 +188,19 @@ private:
     const fem::StepRecord &record = model_.last_step();
     StepEffort effort;
     effort.wall_time = time_so_far();
-    if (material_.cells) {
-      effort.evaluations = material_.cells->report().mean_evaluations;
-      effort.worst_unbalance = material_.cells->report().worst_unbalance;
-      effort.worst_hill_mandel = material_.cells->report().worst_hill_mandel;
-    }
+    cells_.measure(effort);
     if (curve_)
       curve_->write(die_values(record, effort));
     results_.take(record, stage_at(record.stage), effort);
     output_.write_point_lines();
-    if (material_.cells)
-      judge_cells(record);
+    cells_.judge(
+        fmt::format("{} ({})", record.step, name_of(kind(record.stage))));
     if (results_.at_peak())
       maps_.take_peak(mesh_, model_);
     session_.log().step(share_done(settings_, record),
                         record.step,
                         "steps",
                         line(record, effort));
-  }
-
-  void judge_cells(const fem::StepRecord &record)
-  {
-    const auto &responses = model_.responses();
-    for (std::size_t point = 0; point < material_.cells->size(); ++point)
-      cell_remarks_.take(point,
-                         dem::judge(material_.cells->cell(point),
-                                    session_.input().material.driving,
-                                    -trace(responses[point].stress) / 3),
-                         [&] { return place(point, record); });
-  }
-
-  std::string place(std::size_t point, const fem::StepRecord &record) const
-  {
-    const auto position = model_.point_positions()[point];
-    return fmt::format(
-        "point {} at r = {:.4g} mm, z = {:.4g} mm, step {} ({}), volumetric "
-        "strain {:.4g}",
-        point,
-        1e3 * position[0],
-        1e3 * position[2],
-        record.step,
-        name_of(kind(record.stage)),
-        // Nobody wants to read -0.
-        0 - std::log(determinant(model_.deformation_gradients()[point])));
   }
 
   std::string line(const fem::StepRecord &record,
@@ -284,9 +226,7 @@ private:
   std::string reason(const fem::Failure &failure) const
   {
     const std::string problem =
-        material_.cells && failure.kind == fem::FailureKind::not_converged
-            ? material_.cells->report().problem
-            : "";
+        failure.kind == fem::FailureKind::not_converged ? cells_.problem() : "";
     return problem.empty() ? failure.reason
                            : failure.reason + " (" + problem + ")";
   }
@@ -294,7 +234,7 @@ private:
   void give()
   {
     results_.give(session_);
-    cell_remarks_.give();
+    cells_.give();
     session_.heading("Time, share of the run");
     const fem::ModelTimes times = model_.times();
     session_.result("time_material[s]", times.material);
@@ -332,18 +272,17 @@ private:
   const fem::Ranks &ranks_;
   const fem::DieSettings &settings_;
   const fem::Mesh &mesh_;
-  coupling::Material material_;
+  DieMaterial material_;
   RecordedPoints points_;
   const StoredDie stored_;
   fem::DieModel model_;
+  DieCells cells_;
   DieOutput output_;
   std::unique_ptr<CurveWriter> curve_; ///< of the first rank
   unsigned stage_ = 0;
   DieResults results_;
-  CellRemarks cell_remarks_{session_, "point", mesh_.number_of_points()};
   DieMaps maps_;
   Checkpoints checkpoints_;
-  double force_floor_ = 0; ///< of the stage [N]
   double time_before_ = 0; ///< of pressing, before the checkpoint [s]
   double time_output_ = 0, time_plots_ = 0; ///< [s]
 };
@@ -368,10 +307,14 @@ RunEnd press(Job &job, const fem::Ranks &ranks)
 
 int run_die(const RunOptions &options)
 {
+  watch_checkpoint_signal(); // which would end the run while it packs
   return run_under_mpi(
       [&options, job = std::make_shared<Job>()](const fem::Ranks &ranks) {
         RunSession &session = job->session.emplace(
-            "die", options, Need::die, RankPlace{ranks.rank(), ranks.size()});
+            "die",
+            options,
+            Need::die,
+            RankPlace{ranks.rank(), ranks.size(), ranks_on_these_cores(ranks)});
         return session.run([&] { return press(*job, ranks); });
       });
 }

@@ -27,7 +27,7 @@ std::vector<std::string> point_header()
 DieOutput::DieOutput(const RunSession &session,
                      const fem::DieModel &model,
                      const RecordedPoints &points,
-                     const coupling::UnitCellPoints *cells)
+                     const coupling::SharedCells *cells)
     : session_(session), model_(model), points_(points), cells_(cells),
       fields_(session.folder(), "fields.pvd"),
       grains_(session.folder(), "grains.pvd")
@@ -43,6 +43,8 @@ std::filesystem::path DieOutput::lines_of(std::size_t point) const
 
 void DieOutput::begin()
 {
+  if (!session_.place().first())
+    return;
   for (const std::size_t point : grain_points_)
     point_lines_.push_back(std::make_unique<CurveWriter>(
         lines_of(point),
@@ -132,7 +134,7 @@ void DieOutput::write_point_lines()
   if (points_.last_deformations().empty())
     return;
   const fem::StepRecord &record = model_.last_step();
-  for (std::size_t k = 0; k < grain_points_.size(); ++k) {
+  for (std::size_t k = 0; k < point_lines_.size(); ++k) {
     const std::size_t point = grain_points_[k];
     const auto &F = points_.last_deformations()[point].relative_F;
     const fem::Response &response = model_.responses()[point];
@@ -150,9 +152,10 @@ void DieOutput::write_point_lines()
 void DieOutput::write_fields(unsigned step)
 {
   const std::string name = fmt::format("step_{:04d}", step);
-  model_.write_fields(session_.folder().subfolder("fields"),
-                      name,
-                      fem::variable_fields(points_));
+  const auto fields = fem::variable_fields(points_);
+  // With cells each rank has a model of its own, all alike.
+  if (!cells_ || session_.place().first())
+    model_.write_fields(session_.folder().subfolder("fields"), name, fields);
   fields_.add(step, 0, "fields/" + name + ".vtu");
   last_fields_ = step;
 }
@@ -166,9 +169,10 @@ void DieOutput::write_grains(unsigned step)
   for (const std::size_t point : grain_points_) {
     const std::string file =
         fmt::format("grains/point_{:04d}_step_{:04d}.vtp", point, step);
-    coupling::write_grains(cells_->cell(point),
-                           cells_->rotation(point),
-                           session_.folder().path() / file);
+    const coupling::TurnedCell turned = cells_->cell(point);
+    if (session_.place().first())
+      coupling::write_grains(
+          turned.cell, turned.rotation, session_.folder().path() / file);
     grains_.add(step, point, file);
   }
 }

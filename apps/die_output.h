@@ -6,7 +6,7 @@
 #include <apps/recorded_points.h>
 #include <apps/run_session.h>
 #include <apps/series_writer.h>
-#include <coupling/unit_cell_points.h>
+#include <coupling/shared_cells.h>
 #include <fem/die_model.h>
 #include <fem/state_bytes.h>
 
@@ -14,7 +14,8 @@
 
 namespace tamp::apps
 {
-/// Fields and grains of a die on disk.
+/// Fields and grains of a die on disk. Of several ranks the first one writes;
+/// all functions are collective.
 class DieOutput
 {
 public:
@@ -22,7 +23,7 @@ public:
   DieOutput(const RunSession &session,
             const fem::DieModel &model,
             const RecordedPoints &points,
-            const coupling::UnitCellPoints *cells);
+            const coupling::SharedCells *cells);
 
   /// Writes what is due at a step; everything if `must` is set. A step is
   /// written once.
@@ -50,7 +51,7 @@ private:
   const RunSession &session_;
   const fem::DieModel &model_;
   const RecordedPoints &points_;
-  const coupling::UnitCellPoints *cells_;
+  const coupling::SharedCells *cells_;
   std::vector<std::size_t> grain_points_;
   std::vector<std::unique_ptr<CurveWriter>> point_lines_;
   SeriesWriter fields_, grains_;

@@ -128,7 +128,7 @@ private:
           trial_.states.back().relative_density > solid)
         break;
       if (material_.cells)
-        evaluations += material_.cells->report().mean_evaluations;
+        evaluations += material_.cells->report().mean_evaluations();
       ++steps;
     }
     const double count = std::max(steps, 1u);

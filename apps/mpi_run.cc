@@ -2,16 +2,21 @@
 #include <apps/interrupt.h>
 #include <apps/mpi_run.h>
 #include <apps/run_session.h>
+#include <apps/units.h>
 
 #include <deal.II/base/mpi.h>
 
 #include <chrono>
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <fmt/format.h>
 #include <optional>
+#include <sched.h>
+#include <stdexcept>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace tamp::apps
 {
@@ -77,7 +82,53 @@ int end_together(const fem::Ranks &ranks,
   MPI_Abort(MPI_COMM_WORLD, code);
   return code;
 }
+
+[[noreturn]] void throw_again(ExitCode code, const std::string &message)
+{
+  if (code == exit_input)
+    throw InputError(message);
+  if (code == exit_output)
+    throw OutputError(message);
+  throw std::runtime_error(message);
+}
 } // namespace
+
+void together(const fem::Ranks &ranks, const std::function<void()> &work)
+{
+  if (ranks.size() == 1)
+    return work();
+  std::string problem; // its code, then its message
+  try {
+    work();
+  } catch (...) {
+    const RunEnd end = end_of(std::current_exception());
+    problem = static_cast<char>(end.code) + end.message;
+  }
+  problem = ranks.first_text(problem);
+  if (!problem.empty())
+    throw_again(static_cast<ExitCode>(problem.front()), problem.substr(1));
+}
+
+unsigned ranks_on_these_cores(const fem::Ranks &ranks)
+{
+  MPI_Comm node = MPI_COMM_NULL;
+  MPI_Comm_split_type(
+      ranks.communicator(), MPI_COMM_TYPE_SHARED, 0, MPI_INFO_NULL, &node);
+  const fem::Ranks here(node);
+  cpu_set_t own;
+  CPU_ZERO(&own);
+  unsigned count = 1;
+  if (sched_getaffinity(0, sizeof own, &own) == 0) {
+    std::vector<char> bytes(sizeof own);
+    std::memcpy(bytes.data(), &own, sizeof own);
+    const std::vector<char> all = here.join(bytes);
+    count = 0;
+    for (unsigned rank = 0; rank < here.size(); ++rank)
+      count += std::memcmp(&all[rank * sizeof own], &own, sizeof own) == 0;
+  }
+  MPI_Comm_free(&node);
+  return count;
+}
 
 int run_under_mpi(std::function<int(const fem::Ranks &)> work)
 {

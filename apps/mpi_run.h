@@ -19,6 +19,15 @@ namespace tamp::apps
 /// shared among ranks needs them all. SIGINT and SIGTERM are watched, see
 /// caught_signal().
 int run_under_mpi(std::function<int(const fem::Ranks &)> work);
+
+/// Does work that is not the same on all ranks and may throw on some: then all
+/// throw what says the same as the exception of the first of them, and ends the
+/// run alike.
+void together(const fem::Ranks &ranks, const std::function<void()> &work);
+
+/// How many ranks, this one included, may use the same cores as this one. Those
+/// to which mpirun gave cores of their own do not count. Collective.
+unsigned ranks_on_these_cores(const fem::Ranks &ranks);
 } // namespace tamp::apps
 
 #endif

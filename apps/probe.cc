@@ -69,13 +69,14 @@ class ProbeRun
 public:
   explicit ProbeRun(RunSession &session)
       : session_(session), path_(session.input().path),
-        material_(prepare_material(session, 1)),
+        material_(prepare_material(session, {0, 1}, 1)),
         curve_(session.folder().path() / "curve.csv",
                probe_header(material_.cells != nullptr,
                             driving().method == dem::Method::dynamics),
                remarks()),
         grains_(session.folder(), "grains.pvd")
   {
+    warn_of_history(session, material_.history);
     for (const ProbeStage &probe : path_.stages)
       stages_.push_back(probe.stage);
   }
@@ -238,7 +239,7 @@ private:
       strain_at_peak_ = strain_;
     }
     if (material_.cells) {
-      evaluations_ += material_.cells->report().mean_evaluations;
+      evaluations_ += material_.cells->report().mean_evaluations();
       worst_unbalance_ =
           std::max(worst_unbalance_, material_.cells->report().worst_unbalance);
     }

@@ -71,31 +71,30 @@ void warn_of_law(RunSession &session)
     session.warn("Material/Drucker-Prager cap: " + remark.text());
 }
 
-namespace
+coupling::Material
+prepare_material(RunSession &session, const fem::Share &points, std::size_t all)
 {
-coupling::Material prepare(RunSession &session,
-                           const coupling::MaterialChoice &choice,
-                           std::size_t count)
-{
+  coupling::MaterialChoice choice = session.input().material;
+  choice.first_point = points.begin;
+  choice.same_packing = choice.same_packing || session.resumes();
   RunLog &log = session.log();
   const bool cells = choice.kind == coupling::MaterialKind::unit_cell;
   warn_of_law(session);
   if (cells) {
     warn_of_contact_model(session);
-    log.begin(packing_title(choice, choice.same_packing ? 1 : count));
+    log.begin(packing_title(choice, choice.same_packing ? 1 : all));
   }
   try {
     auto material =
-        coupling::make_material(choice, count, [&](std::size_t made) {
-          log.step(static_cast<double>(made) / static_cast<double>(count),
-                   static_cast<double>(made),
-                   "packings",
-                   "");
+        coupling::make_material(choice, points.size(), [&](std::size_t made) {
+          // Other ranks make theirs at about the same pace.
+          const double share =
+              static_cast<double>(made) / static_cast<double>(points.size());
+          log.step(share, share * static_cast<double>(all), "packings", "");
         });
     log.end();
     if (cells)
       session.result("time_packing[s]", log.progress().elapsed());
-    warn_of_history(session, material.history);
     return material;
   } catch (const std::invalid_argument &) {
     throw;
@@ -105,7 +104,6 @@ coupling::Material prepare(RunSession &session,
     throw PackingError(error.what());
   }
 }
-} // namespace
 
 void warn_of_loose_cells(RunSession &session)
 {
@@ -118,17 +116,5 @@ void warn_of_loose_cells(RunSession &session)
         "Packing/Pressure = {:.3g} MPa: packings this loose may collapse in "
         "the first steps; 0.5 MPa or more is safe",
         material.packing.goal.pressure / 1e6));
-}
-
-coupling::Material prepare_material(RunSession &session, std::size_t count)
-{
-  return prepare(session, session.input().material, count);
-}
-
-coupling::Material stand_ins(RunSession &session, std::size_t count)
-{
-  coupling::MaterialChoice choice = session.input().material;
-  choice.same_packing = true;
-  return prepare(session, choice, count);
 }
 } // namespace tamp::apps

@@ -4,6 +4,7 @@
 
 #include <apps/run_session.h>
 #include <coupling/material_factory.h>
+#include <fem/ranks.h>
 
 #include <stdexcept>
 #include <string>
@@ -16,13 +17,13 @@ class PackingError : public std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
-/// Makes the material points of a run, and shows how far packing is. Throws
-/// PackingError if grains do not jam.
-coupling::Material prepare_material(RunSession &session, std::size_t count);
-
-/// The same for points that take their states from a checkpoint: cells are all
-/// alike, of one packing.
-coupling::Material stand_ins(RunSession &session, std::size_t count);
+/// Makes the material points with these numbers of `all` points of a run, and
+/// shows how far packing is. In a run that resumes, where a checkpoint has the
+/// states, cells are all alike, of one packing. Throws PackingError if grains
+/// do not jam. To be followed by warn_of_history().
+coupling::Material prepare_material(RunSession &session,
+                                    const fem::Share &points,
+                                    std::size_t all);
 
 /// "packing 3 x 1000 grains to 0.1 MPa", for the title of that work.
 std::string packing_title(const coupling::MaterialChoice &choice,

@@ -61,16 +61,6 @@ std::string status_of(ExitCode code)
     return "interrupted";
   }
 }
-
-// Throws InputError if the material cannot be shared out.
-void check_ranks(coupling::MaterialKind kind, const RankPlace &place)
-{
-  if (kind == coupling::MaterialKind::unit_cell && place.ranks > 1)
-    throw InputError(fmt::format("unit cells run on one rank in this version, "
-                                 "not on {}; use --threads N instead of "
-                                 "mpirun -np N",
-                                 place.ranks));
-}
 } // namespace
 
 RunEnd end_of(const std::exception_ptr &problem)
@@ -99,10 +89,11 @@ unsigned available_cores()
   return std::max(1u, std::thread::hardware_concurrency());
 }
 
-unsigned checked_threads(const std::optional<int> &wanted)
+unsigned checked_threads(const std::optional<int> &wanted,
+                         const RankPlace &place)
 {
   if (!wanted)
-    return available_cores();
+    return std::max(1u, available_cores() / place.on_these_cores);
   if (*wanted < 1)
     throw InputError(fmt::format(
         "--threads {}: expected a whole number of at least 1", *wanted));
@@ -119,12 +110,11 @@ RunSession::RunSession(const std::string &command,
   ParameterTable table;
   read_table(options, table);
   input_ = read_input(table, need);
-  check_ranks(input_.material.kind, place);
   record_.command = command;
   record_.input = options.input;
   record_.seed = input_.material.packing.seed;
   record_.ranks = place.ranks;
-  record_.threads = checked_threads(options.threads);
+  record_.threads = checked_threads(options.threads, place);
   input_.material.threads = record_.threads;
   std::ostringstream echo;
   table.echo(echo);

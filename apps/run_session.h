@@ -34,7 +34,7 @@ struct RunOptions {
   std::filesystem::path input;
   std::filesystem::path output; ///< empty: results/<name of the input>
   std::vector<std::string> settings;
-  std::optional<int> threads; ///< none: all cores this process may use
+  std::optional<int> threads; ///< none: all cores this rank may use
   bool force = false;
   bool resume = false; ///< go on with the run that is in the folder
   bool plots = true;
@@ -50,6 +50,7 @@ struct RunEnd {
 /// Which of the ranks that mpirun started this process is.
 struct RankPlace {
   unsigned rank = 0, ranks = 1;
+  unsigned on_these_cores = 1; ///< ranks that may use the same cores
   bool first() const { return rank == 0; }
 };
 
@@ -120,8 +121,10 @@ private:
 
 /// Number of cores this process may use.
 unsigned available_cores();
-/// What --threads says, all cores if it says nothing. Throws InputError.
-unsigned checked_threads(const std::optional<int> &wanted);
+/// What --threads says; if it says nothing, this rank's part of the cores that
+/// it may use together with others. Throws InputError.
+unsigned checked_threads(const std::optional<int> &wanted,
+                         const RankPlace &place = {});
 } // namespace tamp::apps
 
 #endif

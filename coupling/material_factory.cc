@@ -67,6 +67,12 @@ Material make_cap(const CapChoice &choice, std::size_t count)
   return make_points(fem::DruckerPragerCap(cap_parameters(choice)), count);
 }
 
+// Of the run's packings, that of the first point to be made.
+std::size_t first_packing(const MaterialChoice &choice)
+{
+  return choice.first_packing + (choice.same_packing ? 0 : choice.first_point);
+}
+
 StoredPackings find_packings(const MaterialChoice &choice,
                              std::size_t count,
                              const std::function<void(std::size_t)> &progress)
@@ -78,7 +84,7 @@ StoredPackings find_packings(const MaterialChoice &choice,
                           choice.same_packing,
                           choice.threads,
                           progress,
-                          choice.first_packing),
+                          first_packing(choice)),
             History::kept};
   }
   return read_packings(
@@ -88,7 +94,7 @@ StoredPackings find_packings(const MaterialChoice &choice,
           : choice.packing_files,
       choice.packing,
       count,
-      choice.first_packing);
+      first_packing(choice));
 }
 
 Material make_cells(const MaterialChoice &choice,
@@ -100,6 +106,7 @@ Material make_cells(const MaterialChoice &choice,
   options.driving = choice.driving;
   options.threads = choice.threads;
   options.warm = choice.warm;
+  options.first_point = choice.first_point;
   StoredPackings packings = find_packings(choice, count, progress);
   auto points =
       std::make_unique<UnitCellPoints>(std::move(packings.cells), options);

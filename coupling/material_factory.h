@@ -73,6 +73,7 @@ struct MaterialChoice {
   std::vector<std::filesystem::path> packing_files;
   bool same_packing = false;     ///< all points start from the first packing
   std::size_t first_packing = 0; ///< of the run's packings, that of point 0
+  std::size_t first_point = 0;   ///< number in the run of the first to be made
   dem::Driving driving;
   bool warm = true; ///< see CellPointsOptions
   unsigned threads = 1;

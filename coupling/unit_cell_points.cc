@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstring>
 #include <numeric>
 #include <stdexcept>
@@ -31,7 +30,7 @@ struct UnitCellPoints::Point {
   dem::Matrix3 stress = dem::Matrix3::Zero();       ///< in the die's frame [Pa]
   double secant = 1; ///< of the last committed step, over Voigt [-]
   dem::WarmGuess guess;
-  double seconds = 0; ///< of the last evaluation
+  double cost = 0; ///< of the last evaluation
 
   dem::UnitCell trial;
   dem::Matrix3 trial_rotation = dem::Matrix3::Identity();
@@ -105,7 +104,7 @@ void UnitCellPoints::evaluate(std::span<const fem::Deformation> deformations,
   std::vector<std::size_t> order(size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
-    return points_[a].seconds > points_[b].seconds;
+    return points_[a].cost > points_[b].cost;
   });
   share_work(order, options_.threads, [&](std::size_t i) {
     Point &point = points_[i];
@@ -129,7 +128,6 @@ void UnitCellPoints::evaluate_point(Point &point,
                                     fem::Want want,
                                     fem::Response &response) const
 {
-  const auto start = std::chrono::steady_clock::now();
   const PolarSplit split = polar_split(to_matrix(deformation.relative_F));
   const dem::Matrix3 &Q = point.rotation;
   dem::Stretch stretch = Q.transpose() * split.stretch * Q;
@@ -140,6 +138,8 @@ void UnitCellPoints::evaluate_point(Point &point,
                              stretch,
                              options_.driving,
                              options_.warm ? &point.guess : nullptr);
+  point.cost = static_cast<double>(point.answer.evaluations) *
+               static_cast<double>(point.trial.radius.size());
   point.has_trial = true;
   point.trial_rotation = split.rotation * Q;
   const dem::Matrix3 &turn = point.trial_rotation;
@@ -167,24 +167,22 @@ void UnitCellPoints::evaluate_point(Point &point,
     point.has_voigt = true;
     response.tangent = point.secant * point.voigt;
   }
-  point.seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - start)
-          .count();
 }
 
 void UnitCellPoints::summarise(std::span<fem::Response> responses)
 {
-  const double so_far = step_begins_ ? 0.0 : report_.mean_evaluations;
+  const std::uint64_t so_far = step_begins_ ? 0 : report_.evaluations;
   report_ = {};
-  report_.mean_evaluations = so_far;
+  report_.evaluations = so_far;
+  report_.cells = size();
   step_begins_ = false;
   for (std::size_t i = 0; i < size(); ++i) {
     const Point &point = points_[i];
-    report_.mean_evaluations +=
-        double(point.answer.evaluations) / double(size());
+    const std::size_t number = options_.first_point + i;
+    report_.evaluations += point.answer.evaluations;
     if (point.answer.unbalance > report_.worst_unbalance) {
       report_.worst_unbalance = point.answer.unbalance;
-      report_.worst_unbalance_point = i;
+      report_.worst_unbalance_point = number;
     }
     report_.worst_hill_mandel =
         std::max(report_.worst_hill_mandel, point.answer.hill_mandel);
@@ -192,7 +190,7 @@ void UnitCellPoints::summarise(std::span<fem::Response> responses)
         std::max(report_.worst_asymmetry, point.asymmetry);
     if (report_.problem.empty() && !point.problem.empty())
       report_.problem =
-          "material point " + std::to_string(i) + ": " + point.problem;
+          "material point " + std::to_string(number) + ": " + point.problem;
     report_.unsettled += responses[i].status == fem::Status::doubtful;
   }
 }
@@ -251,7 +249,7 @@ void UnitCellPoints::unpack(std::size_t i, std::span<const char> bytes)
 
 double UnitCellPoints::cost(std::size_t i) const
 {
-  return points_.at(i).seconds;
+  return points_.at(i).cost;
 }
 
 std::vector<fem::Variable> UnitCellPoints::variables() const
@@ -276,6 +274,22 @@ void UnitCellPoints::variables_of(std::size_t point,
       static_cast<double>(measures.plastic_contacts) / contacts,
       static_cast<double>(measures.sliding_contacts) / contacts};
   std::ranges::copy(now, values.begin());
+}
+
+fem::Share UnitCellPoints::share() const
+{
+  return {options_.first_point, options_.first_point + size()};
+}
+
+void UnitCellPoints::hold(const fem::Share &share)
+{
+  const fem::Share old = this->share();
+  std::vector<Point> points(share.size());
+  for (std::size_t i = share.begin; i < share.end; ++i)
+    if (old.holds(i))
+      points[i - share.begin] = std::move(points_[i - old.begin]);
+  points_ = std::move(points);
+  options_.first_point = share.begin;
 }
 
 const CellReport &UnitCellPoints::report() const

@@ -4,9 +4,10 @@
 
 #include <dem/deform.h>
 #include <dem/unit_cell.h>
-#include <fem/material_points.h>
+#include <fem/movable_points.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
@@ -16,13 +17,21 @@ namespace tamp::coupling
 /// What the step since the last commit() cost, and how good the answers of the
 /// last evaluate() are. Stays readable after commit().
 struct CellReport {
-  double mean_evaluations = 0; ///< force evaluations per cell, whole step
-  double worst_unbalance = 0;  ///< largest unbalance of a cell [-]
+  std::uint64_t evaluations = 0; ///< of forces, all cells, whole step
+  std::size_t cells = 0;
+  double worst_unbalance = 0; ///< largest unbalance of a cell [-]
   std::size_t worst_unbalance_point = 0;
   double worst_hill_mandel = 0; ///< largest residual of a cell [-]
   double worst_asymmetry = 0;   ///< largest |skw stress| / |stress| [-]
   std::size_t unsettled = 0;    ///< cells that ran into the cap
   std::string problem;          ///< of the first point that failed
+
+  /// Force evaluations per cell in the whole step.
+  double mean_evaluations() const
+  {
+    return static_cast<double>(evaluations) /
+           static_cast<double>(cells > 0 ? cells : 1);
+  }
 };
 
 /// How cells are driven and shared among threads.
@@ -32,6 +41,8 @@ struct CellPointsOptions {
   /// Use the last trial of the same step as a start of the relaxation. Off: an
   /// evaluation is a pure function of the committed states.
   bool warm = true;
+  /// Number of the first point among those of the run.
+  std::size_t first_point = 0;
 };
 
 /// Grains as material points: each point owns a committed and a trial unit
@@ -39,7 +50,7 @@ struct CellPointsOptions {
 /// its own frame Q, feels Q^T U Q, and the stress is turned back by R Q. The
 /// tangent is the Voigt contact tangent times the secant of the last committed
 /// step. The answer of a point depends on its own history only, not on threads.
-class UnitCellPoints final : public fem::MaterialPoints
+class UnitCellPoints final : public fem::MovablePoints
 {
 public:
   UnitCellPoints(std::vector<dem::UnitCell> cells,
@@ -54,9 +65,12 @@ public:
   void commit() override;
   void pack(std::size_t point, std::vector<char> &bytes) const override;
   void unpack(std::size_t point, std::span<const char> bytes) override;
+  /// Force evaluations times grains: the same on every machine.
   double cost(std::size_t point) const override;
   std::vector<fem::Variable> variables() const override;
   void variables_of(std::size_t point, std::span<double> values) const override;
+  fem::Share share() const override;
+  void hold(const fem::Share &share) override;
 
   /// Forgets extrapolations, secants and predictors: call when the direction
   /// of loading turns.
@@ -64,6 +78,7 @@ public:
   /// Contact forces below this count as this in the unbalance [N].
   void set_force_floor(double force);
 
+  /// Points are called there by their numbers among those of the run.
   const CellReport &report() const;
   /// The committed cell of a point, in its own frame.
   const dem::UnitCell &cell(std::size_t point) const;

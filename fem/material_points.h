@@ -79,7 +79,8 @@ public:
   /// state.
   virtual void unpack(std::size_t point, std::span<const char> bytes) = 0;
 
-  /// Time the last evaluate() took for a point [s]: weight for load balance.
+  /// What the last evaluate() took for a point, in a unit that all points of
+  /// the material share: weight for load balance.
   virtual double cost(std::size_t point) const = 0;
 
   /// What variables_of() gives, compression positive as in all output.

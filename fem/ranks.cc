@@ -2,6 +2,7 @@
 #include <fem/ranks.h>
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 
 namespace tamp::fem
@@ -119,5 +120,64 @@ void Ranks::move(std::vector<char> &bytes, unsigned from, unsigned to) const
     MPI_Recv(
         part, count, MPI_CHAR, there, tag, communicator_, MPI_STATUS_IGNORE);
   });
+}
+
+void Ranks::gather(std::span<double> values,
+                   std::span<const std::size_t> begins) const
+{
+  if (size_ == 1)
+    return;
+  std::vector<int> counts, places;
+  for (unsigned r = 0; r < size_; ++r) {
+    counts.push_back(static_cast<int>(begins[r + 1] - begins[r]));
+    places.push_back(static_cast<int>(begins[r]));
+  }
+  MPI_Allgatherv(MPI_IN_PLACE,
+                 0,
+                 MPI_DATATYPE_NULL,
+                 values.data(),
+                 counts.data(),
+                 places.data(),
+                 MPI_DOUBLE,
+                 communicator_);
+}
+
+std::vector<char> Ranks::join(const std::vector<char> &bytes) const
+{
+  if (size_ == 1)
+    return bytes;
+  std::vector<char> all;
+  for (unsigned from = 0; from < size_; ++from) {
+    std::vector<char> part;
+    if (from == rank_)
+      part = bytes;
+    spread(part, from);
+    all.insert(all.end(), part.begin(), part.end());
+  }
+  return all;
+}
+
+std::string Ranks::first_text(const std::string &text) const
+{
+  const double order = text.empty() ? 0 : size_ - rank_;
+  const auto first = static_cast<unsigned>(largest(order));
+  if (first == 0)
+    return {};
+  std::vector<char> bytes(text.begin(), text.end());
+  spread(bytes, size_ - first);
+  return {bytes.begin(), bytes.end()};
+}
+
+bool Ranks::alike(std::span<const double> values) const
+{
+  if (size_ == 1)
+    return true;
+  std::uint64_t hash = 0xcbf29ce484222325u; // FNV-1a, by words
+  for (const double value : values)
+    hash = (hash ^ std::bit_cast<std::uint64_t>(value)) * 0x100000001b3u;
+  // The least of both is that of all only if there is but one.
+  std::uint64_t least[] = {hash, ~hash};
+  MPI_Allreduce(MPI_IN_PLACE, least, 2, MPI_UINT64_T, MPI_MIN, communicator_);
+  return least[0] == ~least[1];
 }
 } // namespace tamp::fem

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace tamp::fem
@@ -44,6 +45,16 @@ public:
   /// Copies the bytes of one rank to another one; both must call, the others
   /// may and keep what they have.
   void move(std::vector<char> &bytes, unsigned from, unsigned to) const;
+  /// Completes values of which every rank has a range, rank r that from
+  /// begins[r] to begins[r + 1].
+  void gather(std::span<double> values,
+              std::span<const std::size_t> begins) const;
+  /// The bytes of all ranks, in the order of the ranks, on every rank.
+  std::vector<char> join(const std::vector<char> &bytes) const;
+  /// The text of the first rank that has any, on every rank.
+  std::string first_text(const std::string &text) const;
+  /// Do all ranks hold the same bits? Tells by a checksum of 64 bits.
+  bool alike(std::span<const double> values) const;
 
 private:
   MPI_Comm communicator_;

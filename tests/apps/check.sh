@@ -29,6 +29,12 @@ number() {
   sed -n "s|.*$1\([-+.e0-9]*[0-9]\).*|\1|p" said.txt | head -n 1 | grep . ||
     fail "no number behind '$1'"
 }
+# megabytes TEXT: the megabytes on the line that begins so [bytes].
+megabytes() {
+  sed -n "s|^ *$1 .*about \([0-9.]*\) \([MG]\)B.*|\1 \2|p" said.txt |
+    awk '{ print $1 * ($2 == "G" ? 1e9 : 1e6); found = 1 } END { exit !found }' ||
+    fail "no megabytes of '$1'"
+}
 # peak OPTION...: the largest memory of a run [bytes].
 peak() {
   "$tamp" die die.prm -o results --force --no-plots -q --threads 1 "$@" &
@@ -67,7 +73,8 @@ wrong() {
   says 'aspect ratio' 'above 10' 'stage 2'
 }
 
-# The bytes of a cell that are foretold are those that a run takes.
+# The bytes of a cell that are foretold are those that a run takes, which is long
+# enough for its peak to be seen.
 memory() {
   cat > die.prm << 'END'
 include granules.prm
@@ -78,7 +85,7 @@ subsection Die
   set Elements = 1, 1
 end
 subsection Schedule
-  set Stages = hold 1 step
+  set Stages = hold 4 steps
 end
 END
   local grains='Grains/Count = 1000' few many foretold
@@ -92,6 +99,29 @@ END
     # Asked for: within a fifth.
     exit !(real > foretold / 1.2 && real < foretold * 1.2) }' ||
     fail "the memory of a cell"
+  memory_of_two "$grains"
+}
+# The memory of all ranks. Libraries in it are counted for each rank, by the
+# system, too; what the program takes for the work is a few megabytes.
+memory_of_two() {
+  local all more real
+  checks 0 die.prm --set "$1" --set 'Die/Elements = 4, 7'
+  all=$(megabytes all)
+  more=$(megabytes 'further ranks')
+  export OMPI_MCA_rmaps_base_oversubscribe=1 OMP_NUM_THREADS=1
+  mpirun -np 2 bash -c '"$0" "$@" & run=$!
+    while now=$(awk "/^VmHWM/ { print \$2 }" /proc/$run/status 2> /dev/null) &&
+      [ -n "$now" ]; do
+      echo "$now" > "peak_$OMPI_COMM_WORLD_RANK"
+      sleep 0.02
+    done
+    wait $run' "$tamp" die die.prm -o two --no-plots -q --threads 1 \
+    --set "$1" --set 'Die/Elements = 4, 7' || fail "the run on two ranks"
+  real=$(awk '{ sum += 1024 * $1 } END { print sum }' peak_0 peak_1)
+  awk -v all="$all" -v more="$more" -v real="$real" 'BEGIN {
+    print "two ranks take " real " bytes, foretold were " all + more
+    exit !(real > (all + more) / 1.2 && real < (all + more) * 1.2) }' ||
+    fail "the memory of two ranks"
 }
 
 case $about in

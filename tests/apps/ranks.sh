@@ -119,9 +119,6 @@ on 2 die.prm -o bad --set 'Die/Radius = -1'
 says 2 'Die/Radius'
 on 2 missing.prm -o bad
 says 2 'missing.prm'
-on 2 die.prm -o bad --set 'Material/Type = unit cell' \
-  --set 'Schedule/Stages = press to density 0.61'
-says 2 'unit cells run on one rank.*--threads'
 on 2 die.prm -o bad --wrong
 says 2 '--wrong'
 [ ! -e bad ] || fail "wrong inputs make a folder"

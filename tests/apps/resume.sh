@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # A die that was killed, stopped or had its checkpoints damaged goes on with
 # --resume and leaves what an uninterrupted one leaves; what cannot be resumed is
-# refused, and touched by nothing. Usage: resume.sh TAMP [cells|law|refused|failing]
+# refused, and touched by nothing.
+# Usage: resume.sh TAMP [cells|ranks|law|refused|failing]
 source "$(dirname "${BASH_SOURCE[0]}")/expect.sh"
 part=$2
 
@@ -66,22 +67,22 @@ kill_after() {
   wait "$run" 2> /dev/null || status=$?
 }
 
-# asked_in FOLDER COMMAND...: runs the cells and sends SIGUSR1 on the way, after
-# the command.
+# asked_in FOLDER FILE COMMAND...: starts a run and sends it SIGUSR1 once it has
+# written the file, after the command.
 asked_in() {
-  local folder=$1 run
-  shift
+  local folder=$1 file=$2 run
+  shift 2
   "$tamp" die "${input:-cells}.prm" -o "$folder" --no-plots -q \
     --set 'Output/Checkpoint interval = 0' &
   run=$!
-  until [ -s "$folder/fields/step_0005.vtu" ]; do sleep 0.002; done
+  until [ -s "$folder/$file" ]; do sleep 0.002; done
   "$@"
   kill -USR1 "$run"
   wait "$run" || fail "SIGUSR1: exit code $?"
 }
 
-# leaves A B: both folders have the same results, but for times and when
-# checkpoints were written.
+# leaves A B: both folders have the same results, but for times, also of ranks,
+# and when checkpoints were written.
 leaves() {
   local file
   (cd "$1" && find . -type f ! -path './checkpoint/*' | sort) > first.txt
@@ -100,7 +101,7 @@ leaves() {
     esac
   done < first.txt
   for file in "$1" "$2"; do
-    sed '1,/"results"/d; /"time_/d' "$file/run.json" > "$file.json"
+    sed '1,/"results"/d; /"time_/d; /_rank/d' "$file/run.json" > "$file.json"
   done
   diff "$1.json" "$2.json" || fail "$1 and $2 have other key results"
   [ "$(wc -l < "$1.json")" -gt 20 ] || fail "key results are missing"
@@ -127,11 +128,43 @@ if [ "$part" = cells ] || [ "$part" = law ]; then
     fail "log.txt does not tell where the run went on"
   grep -q '"resumed_after_steps"' killed_$input/run.json || fail "run.json"
   leaves $input killed_$input
-  # SIGUSR1 writes one, and the run goes on.
-  asked_in asked true
+  # SIGUSR1 writes one, and the run goes on; also one that still packs.
+  file=fields/step_0005.vtu
+  [ "$part" = law ] || file=run.json
+  asked_in asked $file true
   [ "$(find asked/checkpoint -name '*.tamp' | wc -l)" -eq 1 ] ||
     fail "SIGUSR1: no checkpoint"
   leaves $input asked
+  echo "all well"
+fi
+
+# Cells go on to the bit on any number of ranks.
+if [ "$part" = ranks ]; then
+  export OMPI_MCA_rmaps_base_oversubscribe=1 OMP_NUM_THREADS=1
+  export OPENBLAS_NUM_THREADS=1
+  "$tamp" die cells.prm -o cells --no-plots -q
+  last=$(tail -n 1 cells/curve.csv | cut -d, -f1)
+  die=("$tamp" die cells.prm -o killed --no-plots -q)
+  # killed_on RANKS TWENTIETH OPTION...: ends it without warning on the way.
+  killed_on() {
+    local ranks=$1 step=$((last * $2 / 20)) run
+    shift 2
+    mpirun -np "$ranks" "${die[@]}" "$@" 2> err.txt &
+    run=$!
+    until step_of killed && [ "$newest" -ge "$step" ]; do
+      kill -0 "$run" 2> /dev/null || { cat err.txt; fail "before step $step"; }
+      sleep 0.002
+    done
+    pkill -KILL -P "$run" -x tamp || fail "it had ended before step $step"
+    ! wait "$run" || fail "it ended well"
+  }
+  killed_on 2 5
+  killed_on 4 9 --resume
+  killed_on 1 13 --resume --threads 2
+  mpirun -np 2 "${die[@]}" --resume --threads 2
+  [ "$(grep -c 'going on after step' killed/log.txt)" -eq 3 ] ||
+    fail "log.txt does not tell where the run went on"
+  leaves cells killed
   echo "all well"
 fi
 
@@ -212,7 +245,7 @@ if [ "$part" = failing ]; then
   step_of barred
   [ "$newest" -gt "$((before + 1))" ] || fail "barred: no later ones"
   # What stands where the folder should be.
-  asked_in plain touch plain/checkpoint
+  asked_in plain fields/step_0005.vtu touch plain/checkpoint
   grep -q "warning: no checkpoint of step .*'plain/checkpoint'" plain/log.txt ||
     fail "plain: log.txt does not tell"
   rm plain/checkpoint

@@ -111,12 +111,11 @@ TEST(RunSession, OtherRanksWriteNothingAndLeaveExceptions)
   EXPECT_FALSE(std::filesystem::exists(place.options.output));
 }
 
-TEST(RunSession, UnitCellsAreRefusedOnSeveralRanksBeforeAnythingIsWritten)
+TEST(RunSession, RanksShareTheCoresThatTheyMayUse)
 {
-  Place place;
-  place.options.settings = {"Material/Type = unit cell"};
-  for (const unsigned rank : {0u, 1u})
-    EXPECT_THROW(RunSession("die", place.options, Need::die, {rank, 2}),
-                 InputError);
-  EXPECT_FALSE(std::filesystem::exists(place.options.output));
+  const unsigned cores = available_cores();
+  EXPECT_EQ(checked_threads({}, {0, 4, 1}), cores);
+  EXPECT_EQ(checked_threads({}, {1, 4, cores}), 1u);
+  EXPECT_EQ(checked_threads({}, {1, 4, cores + 1}), 1u);
+  EXPECT_EQ(checked_threads(3, {1, 4, cores + 1}), 3u); // as the user says
 }

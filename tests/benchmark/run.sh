@@ -1,4 +1,4 @@
-#!/bin/sh
+    echo "$(value 'time_model\[s\]' "$name")" \XX      "$(value 'steps\[-\]' "$name") $updates" |#!/bin/sh
 # SPDX-License-Identifier: BSD-3-Clause
 # Builds Release, runs the benchmarks whose names match the regular expression
 # FILTER (all without one), prints a table beside what targets.csv asks for,
@@ -39,6 +39,11 @@ for program in $programs; do
   awk -f "$here/rows.awk" "$scratch/$program.json" >>"$lines"
 done
 
+# value NAME FOLDER: of a key result of a run.
+value() {
+  sed -n "s/^ *\"$1\": \([0-9.eE+-]*\),*\$/\1/p" "$scratch/$2/run.json"
+}
+
 # run_die NAME RANKS INPUT [OPTION...]: wall time of a die, cell updates per load
 # step, seconds per update (of laws: a step of Newton's method), and where the
 # time went, from its run.json. Runs if FILTER matches any name of its rows.
@@ -54,18 +59,16 @@ run_die() {
   set -- "$build/apps/tamp" die "$input" -o "$scratch/$name" -q --no-plots "$@"
   [ "$ranks" -eq 1 ] || set -- mpirun -np "$ranks" --oversubscribe "$@"
   "$@"
-  value() {
-    sed -n "s/^ *\"$1\": \([0-9.eE+-]*\),*\$/\1/p" "$scratch/$name/run.json"
-  }
-  updates=$(value 'cell_updates_per_step\[-\]')
+  updates=$(value 'cell_updates_per_step\[-\]' "$name")
   {
-    echo "$name.wall,$(value 'wall_time\[s\]'),s"
+    echo "$name.wall,$(value 'wall_time\[s\]' "$name"),s"
     echo "$name.cell_updates_per_step,$updates,-"
-    echo "$(value 'time_model\[s\]') $(value 'steps\[-\]') $updates" |
+    echo "$(value 'time_model\[s\]' "$name")" \
+      "$(value 'steps\[-\]' "$name") $updates" |
       awk -v name="$name" \
         '{ printf "%s.seconds_per_update,%.4g,s\n", name, $1 / ($2 * $3) }'
     for part in $parts; do
-      seconds=$(value "time_$part\[s\]")
+      seconds=$(value "time_$part\[s\]" "$name")
       [ -z "$seconds" ] || echo "$name.time.$part,$seconds,s"
     done
   } >>"$lines"
@@ -75,6 +78,33 @@ run_die die_dpc 1 "$examples/mcc_tablet/mcc_tablet.prm" \
   --set "Die/Elements = 28, 50" --threads 1
 run_die die_3d 2 "$here/die_3d.prm" --threads 1
 run_die die_default 1 "$examples/die_default/die_default.prm"
+
+# seconds_in_cells RANKS THREADS: wall time of the evaluations of all cells in
+# the first steps of die_default.
+seconds_in_cells() {
+  mpirun --bind-to none -np "$1" "$build/apps/tamp" die \
+    "$examples/die_default/die_default.prm" \
+    -o "$scratch/cells" --force -q --no-plots --threads "$2" \
+    --set "Schedule/Stages = press to density 0.66" >&2
+  value 'time_material\[s\]' cells
+}
+
+# The share of two cores' time that is used, on two threads and on two ranks:
+# one core's over twice that of two, each the least of three, taken in turn, as
+# other work on the machine only adds to it.
+run_efficiency() {
+  printf "%s\n" coupling.thread_efficiency.2 coupling.rank_efficiency.2 |
+    grep -Eq -- "${filter:-.}" || return 0
+  for _ in 1 2 3; do
+    echo "$(seconds_in_cells 1 1) $(seconds_in_cells 1 2)" \
+      "$(seconds_in_cells 2 1)"
+  done | awk '
+    { for (i = 1; i <= 3; ++i) if (NR == 1 || $i < least[i]) least[i] = $i }
+    END { print "coupling.thread_efficiency.2," least[1] / (2 * least[2]) ",-"
+      print "coupling.rank_efficiency.2," least[1] / (2 * least[3]) ",-" }' \
+    >>"$lines"
+}
+run_efficiency
 
 # The processor, its clock if the system knows it, and how many.
 machine() {

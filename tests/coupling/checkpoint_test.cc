@@ -250,7 +250,7 @@ public:
                                last_step().wall_friction_force,
                                last_step().force_residual,
                                double(last_step().material_updates),
-                               cells_.report().mean_evaluations,
+                               cells_.report().mean_evaluations(),
                                cells_.report().worst_unbalance}) {
       const char *begin = reinterpret_cast<const char *>(&value);
       all.insert(all.end(), begin, begin + sizeof value);

@@ -102,7 +102,7 @@ TEST(UnitCellPoints, RotationCostsNoSweep)
   turn.relative_F[0][2] = -(turn.relative_F[2][0] = std::sin(angle));
   turn.relative_F[1][1] = 1;
   evaluate(points, turn);
-  EXPECT_EQ(points.report().mean_evaluations, 1);
+  EXPECT_EQ(points.report().mean_evaluations(), 1);
 }
 
 TEST(UnitCellPoints, RotatedPathRotatesStress)
