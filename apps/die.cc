@@ -13,6 +13,7 @@
 #include <apps/run_material.h>
 #include <apps/schedule.h>
 #include <apps/stored_die.h>
+#include <apps/trial_recorder.h>
 #include <apps/units.h>
 #include <fem/die_model.h>
 #include <fem/stop_watch.h>
@@ -43,7 +44,7 @@ public:
         material_(session.resumes()
                       ? stand_ins(session, number_of_own_points())
                       : prepare_material(session, number_of_own_points())),
-        points_(*material_.points), stored_(session, ranks),
+        points_(*material_.points, material_.cells), stored_(session, ranks),
         model_(
             settings_,
             mesh_,
@@ -52,7 +53,7 @@ public:
             ranks,
             stored_.model),
         output_(session, model_, points_, material_.cells),
-        checkpoints_(session, ranks)
+        recorder_(session, ranks, mesh_, points_), checkpoints_(session, ranks)
   {
     if (session.resumes()) {
       go_on();
@@ -64,6 +65,7 @@ public:
                                         die_header(),
                                         stage_remarks(settings_));
     output_.begin();
+    recorder_.begin();
   }
 
   RunEnd work()
@@ -105,6 +107,7 @@ private:
     }
     const RunEnd end = advance();
     log.end();
+    recorder_.write(model_.last_step().step + 1, stage_, false);
     write_output(model_.last_step().step, true);
     return end;
   }
@@ -144,6 +147,7 @@ private:
     fem::append_state(bytes, force_floor_);
     fem::append_state(bytes, results_);
     output_.pack(bytes);
+    recorder_.pack(bytes);
     cell_remarks_.pack(bytes);
     maps_.pack(bytes);
     session_.pack(bytes);
@@ -170,6 +174,7 @@ private:
                                         die_header().size(),
                                         curve_size);
     output_.go_on(stored);
+    recorder_.go_on(stored);
     cell_remarks_.go_on(stored);
     maps_.go_on(stored);
     session_.go_on(stored);
@@ -201,14 +206,13 @@ private:
                                       peak_pressure / 1e6));
     if (!material_.cells)
       return;
-    material_.cells->turn();
     const double diameter =
         session_.input().material.packing.sizes.mean_diameter;
     const bool turning =
         kind(stage) == StageKind::unload || kind(stage) == StageKind::eject;
     force_floor_ =
         turning ? force_floor_share * peak_pressure * diameter * diameter : 0;
-    material_.cells->set_force_floor(force_floor_);
+    points_.turn(force_floor_);
   }
 
   void take_step()
@@ -225,6 +229,7 @@ private:
       curve_->write(die_values(record, effort));
     results_.take(record, stage_at(record.stage), effort);
     output_.write_point_lines();
+    recorder_.write(record.step, record.stage, record.step > 0);
     if (material_.cells)
       judge_cells(record);
     if (results_.at_peak())
@@ -337,6 +342,7 @@ private:
   const StoredDie stored_;
   fem::DieModel model_;
   DieOutput output_;
+  TrialRecorder recorder_;
   std::unique_ptr<CurveWriter> curve_; ///< of the first rank
   unsigned stage_ = 0;
   DieResults results_;

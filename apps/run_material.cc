@@ -125,6 +125,14 @@ coupling::Material prepare_material(RunSession &session, std::size_t count)
   return prepare(session, session.input().material, count);
 }
 
+coupling::Material prepare_point(RunSession &session, std::size_t point)
+{
+  coupling::MaterialChoice choice = session.input().material;
+  if (!choice.same_packing)
+    choice.first_packing += point;
+  return prepare(session, choice, 1);
+}
+
 coupling::Material stand_ins(RunSession &session, std::size_t count)
 {
   coupling::MaterialChoice choice = session.input().material;

@@ -24,6 +24,9 @@ coupling::Material prepare_material(RunSession &session, std::size_t count);
 /// alike, of one packing.
 coupling::Material stand_ins(RunSession &session, std::size_t count);
 
+/// The same for one point out of a run of many.
+coupling::Material prepare_point(RunSession &session, std::size_t point);
+
 /// "packing 3 x 1000 grains to 0.1 MPa", for the title of that work.
 std::string packing_title(const coupling::MaterialChoice &choice,
                           std::size_t count);
