@@ -72,7 +72,7 @@ if [ "$part" = replay ]; then
   [ "$(ls seventh/grains)" = step_0007.vtp ] || fail "--step 7"
   last=$(tail -n 1 result/curve.csv | cut -d, -f1)
   [ "$(ls last/grains)" = "$(printf 'step_%04d.vtp' "$last")" ] || fail "last"
-  grep -q 'seventh\|step_0007' seventh/grains.pvd || fail "grains.pvd"
+  grep -q '"grains/step_0007.vtp"' seventh/grains.pvd || fail "grains.pvd"
 
   # Other grains than those of the run are found out.
   "$tamp" pack die.prm -o packed -q --no-plots --set 'Packing/Replicas = 2'
@@ -118,6 +118,19 @@ if [ "$part" = ended ]; then
   look failed --point 2 || fail "failed: exit code $?"
   grep -q 'warning  *the run did not get over step' \
     failed/inspect/cell_0_point_2/summary.txt || fail "failed: not said"
+  # No room for the record: the run goes on, and has what fits.
+  (
+    trap '' XFSZ
+    ulimit -f 30
+    export PMIX_MCA_gds=hash # MPI's shared memory is a larger file
+    run -o full
+  ) || fail "no room: exit code $?"
+  grep -q "warning  *.full/trials.tamp. cannot be written" full/summary.txt ||
+    fail "no room: not said"
+  look full --point 2 || fail "no room: exit code $?"
+  some=$(result full/inspect/cell_0_point_2 'steps[-]')
+  [ "${some%.*}" -gt 0 ] && [ "${some%.*}" -lt "${steps%.*}" ] ||
+    fail "no room: $some of $steps steps"
 fi
 
 if [ "$part" = refused ]; then
