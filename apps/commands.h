@@ -2,6 +2,7 @@
 #ifndef apps_commands_h
 #define apps_commands_h
 
+#include <apps/inspected_run.h>
 #include <apps/run_session.h>
 
 #include <filesystem>
@@ -20,6 +21,9 @@ int run_contact(const RunOptions &options);
 int run_pack(const RunOptions &options);
 /// A compact in a die.
 int run_die(const RunOptions &options);
+/// One material point out of the run of a die: history, grains, replay. Exit
+/// code 5 if the replay gives other stresses than the run.
+int inspect_point(const PointChoice &choice, RunOptions options);
 /// Reads and judges an input without running it: ranges, mesh, tools, schedule,
 /// memory, time. Writes nothing. Exit code 5 if it should not be run.
 int check_input(const RunOptions &options);

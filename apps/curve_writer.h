@@ -2,22 +2,13 @@
 #ifndef apps_curve_writer_h
 #define apps_curve_writer_h
 
-#include <cstdint>
-#include <filesystem>
-#include <span>
-#include <stdexcept>
+#include <apps/growing_file.h>
+
 #include <string>
-#include <sys/types.h>
 #include <vector>
 
 namespace tamp::apps
 {
-/// A file or folder that cannot be written: the program ends with exit code 4.
-class OutputError : public std::runtime_error
-{
-  using std::runtime_error::runtime_error;
-};
-
 /// A CSV file that grows line by line: remarks after #, one header line of
 /// names with units, then numbers with all their digits. A line is on disk as a
 /// whole or not at all.
@@ -33,27 +24,19 @@ public:
   CurveWriter(const std::filesystem::path &file,
               std::size_t columns,
               std::uint64_t size);
-  ~CurveWriter();
-  CurveWriter(const CurveWriter &) = delete;
-  CurveWriter &operator=(const CurveWriter &) = delete;
 
   /// Appends a line of as many numbers as the header has names. Throws
   /// OutputError.
   void write(std::span<const double> values);
 
   /// Bytes of all lines so far.
-  std::uint64_t size() const { return static_cast<std::uint64_t>(complete_); }
+  std::uint64_t size() const { return file_.size(); }
   /// Has all lines on the disk, as far as the system can tell.
-  void sync() const;
+  void sync() const { file_.sync(); }
 
 private:
-  void open(int flags);
-  void append(const std::string &line);
-
-  std::filesystem::path file_;
+  GrowingFile file_;
   std::size_t columns_;
-  int descriptor_ = -1;
-  off_t complete_ = 0; // bytes of all lines so far
 };
 } // namespace tamp::apps
 

@@ -13,6 +13,7 @@
 #include <apps/run_material.h>
 #include <apps/schedule.h>
 #include <apps/stored_die.h>
+#include <apps/trial_recorder.h>
 #include <apps/units.h>
 #include <fem/die_model.h>
 #include <fem/stop_watch.h>
@@ -35,7 +36,7 @@ public:
       : session_(session), ranks_(ranks), settings_(session.input().die),
         mesh_(session.input().mesh.mesh),
         material_(make_die_material(session, ranks)),
-        points_(*material_.points), stored_(session, ranks),
+        points_(*material_.points, material_.cells), stored_(session, ranks),
         model_(
             settings_,
             mesh_,
@@ -43,9 +44,9 @@ public:
             [this](unsigned stage, double peak) { begin(stage, peak); },
             material_.model_ranks,
             stored_.model),
-        cells_(session, model_, material_.cells),
+        cells_(session, model_, points_, material_.cells),
         output_(session, model_, points_, material_.cells),
-        checkpoints_(session, ranks)
+        recorder_(session, mesh_, points_), checkpoints_(session, ranks)
   {
     if (session.resumes()) {
       go_on();
@@ -57,6 +58,7 @@ public:
                                         die_header(),
                                         stage_remarks(settings_));
     output_.begin();
+    recorder_.begin();
   }
 
   RunEnd work()
@@ -92,6 +94,7 @@ private:
     }
     const RunEnd end = advance();
     log.end();
+    recorder_.write(model_.last_step().step + 1, stage_, false);
     write_output(model_.last_step().step, true);
     return end;
   }
@@ -130,6 +133,7 @@ private:
     fem::append_state(bytes, stage_);
     fem::append_state(bytes, results_);
     output_.pack(bytes);
+    recorder_.pack(bytes);
     cells_.pack(bytes);
     maps_.pack(bytes);
     session_.pack(bytes);
@@ -155,6 +159,7 @@ private:
                                         die_header().size(),
                                         curve_size);
     output_.go_on(stored);
+    recorder_.go_on(stored);
     cells_.go_on(stored);
     maps_.go_on(stored);
     session_.go_on(stored);
@@ -193,6 +198,7 @@ private:
       curve_->write(die_values(record, effort));
     results_.take(record, stage_at(record.stage), effort);
     output_.write_point_lines();
+    recorder_.write(record.step, record.stage, record.step > 0);
     cells_.judge(
         fmt::format("{} ({})", record.step, name_of(kind(record.stage))));
     if (results_.at_peak())
@@ -278,6 +284,7 @@ private:
   fem::DieModel model_;
   DieCells cells_;
   DieOutput output_;
+  TrialRecorder recorder_;
   std::unique_ptr<CurveWriter> curve_; ///< of the first rank
   unsigned stage_ = 0;
   DieResults results_;

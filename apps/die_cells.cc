@@ -52,8 +52,9 @@ DieMaterial make_die_material(RunSession &session, const fem::Ranks &ranks)
 
 DieCells::DieCells(RunSession &session,
                    const fem::DieModel &model,
+                   RecordedPoints &points,
                    coupling::SharedCells *cells)
-    : session_(session), model_(model), cells_(cells),
+    : session_(session), model_(model), points_(points), cells_(cells),
       remarks_(session, "point", session.input().mesh.mesh.number_of_points())
 {
 }
@@ -62,19 +63,12 @@ void DieCells::begin_stage(fem::StageKind kind, double peak_pressure)
 {
   if (!cells_)
     return;
-  cells_->turn();
   const double diameter = session_.input().material.packing.sizes.mean_diameter;
   const bool turning =
       kind == fem::StageKind::unload || kind == fem::StageKind::eject;
-  set_force_floor(
-      turning ? force_floor_share * peak_pressure * diameter * diameter : 0);
-}
-
-void DieCells::set_force_floor(double force)
-{
-  force_floor_ = force;
-  if (cells_)
-    cells_->set_force_floor(force);
+  force_floor_ =
+      turning ? force_floor_share * peak_pressure * diameter * diameter : 0;
+  points_.turn(force_floor_);
 }
 
 void DieCells::measure(StepEffort &effort) const
@@ -140,9 +134,9 @@ void DieCells::pack(std::vector<char> &bytes) const
 
 void DieCells::go_on(fem::StateBytes &stored)
 {
-  double force_floor = 0;
-  stored.take(force_floor);
-  set_force_floor(force_floor);
+  stored.take(force_floor_);
+  if (cells_)
+    cells_->set_force_floor(force_floor_);
   remarks_.go_on(stored);
 }
 } // namespace tamp::apps

@@ -4,6 +4,7 @@
 
 #include <apps/cell_remarks.h>
 #include <apps/die_results.h>
+#include <apps/recorded_points.h>
 #include <apps/run_session.h>
 #include <coupling/shared_cells.h>
 #include <fem/die_model.h>
@@ -40,6 +41,7 @@ public:
   /// @param cells  null for continua. All must outlive this.
   DieCells(RunSession &session,
            const fem::DieModel &model,
+           RecordedPoints &points,
            coupling::SharedCells *cells);
 
   /// The direction of loading turns: what cells learnt of it is of no use, and
@@ -61,11 +63,11 @@ public:
   void go_on(fem::StateBytes &stored);
 
 private:
-  void set_force_floor(double force);
   std::string place(std::size_t point, const std::string &step) const;
 
   RunSession &session_;
   const fem::DieModel &model_;
+  RecordedPoints &points_;
   coupling::SharedCells *cells_;
   CellRemarks remarks_;
   double force_floor_ = 0; ///< of the stage [N]

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <apps/cell_columns.h>
 #include <apps/die_output.h>
+#include <apps/probe_columns.h>
 #include <coupling/grain_output.h>
 
 #include <fmt/format.h>
@@ -14,9 +15,7 @@ namespace
 std::vector<std::string> point_header()
 {
   std::vector<std::string> names{"step", "stage"};
-  for (const char first : {'x', 'y', 'z'})
-    for (const char second : {'x', 'y', 'z'})
-      names.push_back(fmt::format("relative_F_{}{}[-]", first, second));
+  append_nine_names("relative_F_", names);
   for (const std::string &six : six_names)
     names.push_back("stress_" + six + "[Pa]");
   names.emplace_back("relative_density[-]");
@@ -51,9 +50,9 @@ void DieOutput::begin()
         point_header(),
         std::vector<std::string>{
             "compression is positive; axes x = r, y = hoop, z = axis",
-            "replay, to the bit while pressing with cold cells: tamp probe "
-            "with the same grains, Packing/Sample = this point's number and "
-            "Path/Stages = csv THIS FILE"}));
+            "replay, to the bit: tamp inspect; in a probe of its own, with "
+            "cold cells: the same grains, Packing/Sample = this point's "
+            "number and Path/Stages = csv THIS FILE"}));
 }
 
 void DieOutput::pack(std::vector<char> &bytes) const
@@ -140,9 +139,7 @@ void DieOutput::write_point_lines()
     const fem::Response &response = model_.responses()[point];
     std::vector<double> values{static_cast<double>(record.step),
                                static_cast<double>(record.stage + 1)};
-    for (unsigned i = 0; i < 3; ++i)
-      for (unsigned j = 0; j < 3; ++j)
-        values.push_back(F[i][j]);
+    append_nine(F, values);
     append_six(-response.stress, values);
     values.push_back(response.relative_density);
     point_lines_[k]->write(values);

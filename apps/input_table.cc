@@ -13,4 +13,17 @@ void read_table(const RunOptions &options, ParameterTable &table)
     table.set(setting);
   take_powder(table);
 }
+
+void name_files_in_full(ParameterTable &table)
+{
+  for (const std::string path : {"Die/Mesh file",
+                                 "Grains/Size table",
+                                 "Grains/Second species/Size table",
+                                 "Packing/File"})
+    if (const std::string name = table.word(path); !name.empty())
+      table.set(path + " = " +
+                std::filesystem::absolute(table.folder(path) / name)
+                    .lexically_normal()
+                    .string());
+}
 } // namespace tamp::apps

@@ -11,6 +11,10 @@ namespace tamp::apps
 /// --set, which beat them, and those of the powder that they name. Throws
 /// InputError.
 void read_table(const RunOptions &options, ParameterTable &table);
+
+/// Gives the files that parameters name by their full paths: what table.echo()
+/// then prints can be read from any folder.
+void name_files_in_full(ParameterTable &table);
 } // namespace tamp::apps
 
 #endif

@@ -8,8 +8,8 @@ namespace tamp::apps
 {
 namespace
 {
-constexpr std::array<std::string_view, 5> commands{
-    "calibrate", "compare", "fit", "inspect", "selftest"};
+constexpr std::array<std::string_view, 4> commands{
+    "calibrate", "compare", "fit", "selftest"};
 } // namespace
 
 bool is_planned_command(std::string_view name)

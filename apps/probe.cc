@@ -5,6 +5,7 @@
 #include <apps/curve_writer.h>
 #include <apps/interrupt.h>
 #include <apps/plots.h>
+#include <apps/probe_columns.h>
 #include <apps/run_material.h>
 #include <apps/series_writer.h>
 #include <coupling/grain_output.h>
@@ -22,47 +23,10 @@ namespace tamp::apps
 {
 namespace
 {
-using Tensor = dealii::Tensor<2, 3>;
 using SymmetricTensor = dealii::SymmetricTensor<2, 3>;
 
 struct Interrupted {
 };
-
-std::vector<std::string> probe_header(bool cells, bool dynamics)
-{
-  std::vector<std::string> names{"step", "stage"};
-  for (const char first : {'x', 'y', 'z'})
-    for (const char second : {'x', 'y', 'z'})
-      names.push_back(fmt::format("F_{}{}[-]", first, second));
-  for (const std::string &six : six_names)
-    names.push_back("strain_" + six + "[-]");
-  for (const std::string &six : six_names)
-    names.push_back("stress_" + six + "[Pa]");
-  for (const char *name : {"pressure[Pa]",
-                           "deviatoric_stress[Pa]",
-                           "relative_density[-]",
-                           "void_ratio[-]"})
-    names.emplace_back(name);
-  if (cells)
-    std::ranges::copy(cell_header(dynamics), std::back_inserter(names));
-  return names;
-}
-
-// ln V of F = V R; exact if F is diagonal.
-SymmetricTensor logarithmic_strain(const Tensor &F)
-{
-  const SymmetricTensor b = symmetrize(F * transpose(F));
-  SymmetricTensor strain;
-  if (b[0][1] == 0 && b[0][2] == 0 && b[1][2] == 0) {
-    for (unsigned i = 0; i < 3; ++i)
-      strain[i][i] = 0.5 * std::log(b[i][i]);
-    return strain;
-  }
-  for (const auto &[value, axis] :
-       eigenvectors(b, dealii::SymmetricTensorEigenvectorMethod::jacobi))
-    strain += 0.5 * std::log(value) * symmetrize(outer_product(axis, axis));
-  return strain;
-}
 
 class ProbeRun
 {
@@ -70,10 +34,7 @@ public:
   explicit ProbeRun(RunSession &session)
       : session_(session), path_(session.input().path),
         material_(prepare_material(session, {0, 1}, 1)),
-        curve_(session.folder().path() / "curve.csv",
-               probe_header(material_.cells != nullptr,
-                            driving().method == dem::Method::dynamics),
-               remarks()),
+        curve_(session.folder().path() / "curve.csv", header(), remarks()),
         grains_(session.folder(), "grains.pvd")
   {
     warn_of_history(session, material_.history);
@@ -118,6 +79,15 @@ private:
           "the answers of {} steps were doubtful: grains did not settle within "
           "Cell/Maximum evaluations, or a law was asked beyond its tables",
           doubtful_));
+  }
+
+  std::vector<std::string> header() const
+  {
+    std::vector<std::string> names = probe_header();
+    if (material_.cells)
+      std::ranges::copy(cell_header(driving().method == dem::Method::dynamics),
+                        std::back_inserter(names));
+    return names;
   }
 
   const dem::Driving &driving() const
@@ -197,19 +167,9 @@ private:
   void take(const fem::PathRecord &record)
   {
     const SymmetricTensor stress = -record.response.stress;
-    const SymmetricTensor strain = -logarithmic_strain(record.F);
-    std::vector<double> values{static_cast<double>(record.step),
-                               static_cast<double>(record.stage + 1)};
-    for (unsigned i = 0; i < 3; ++i)
-      for (unsigned j = 0; j < 3; ++j)
-        values.push_back(record.F[i][j]);
-    append_six(strain, values);
-    append_six(stress, values);
-    values.push_back(trace(stress) / 3);
-    values.push_back(std::sqrt(1.5) * deviator(stress).norm());
+    const SymmetricTensor strain = compressive_strain(record.F);
     density_ = record.response.relative_density;
-    values.push_back(density_);
-    values.push_back(1 / density_ - 1);
+    std::vector<double> values = probe_values(record);
     if (material_.cells)
       std::ranges::copy(cell_values(*material_.cells, 0, driving()),
                         std::back_inserter(values));

@@ -31,6 +31,8 @@ constexpr const char *own_names[] = {"input.prm",
                                      "plots",
                                      "summary.txt",
                                      "checkpoint",
+                                     "trials.tamp",
+                                     "inspect",
                                      "run.json"};
 
 // packing.h5, packing_0001.txt, grains_0001.vtp ...
@@ -155,12 +157,19 @@ RunFolder::RunFolder(const fs::path &folder,
 RunFolder RunFolder::existing(const fs::path &folder)
 {
   if (!of_a_run(folder))
-    throw InputError(fmt::format("--resume: '{}' is not the folder of a run: "
-                                 "it has no run.json of tamp",
+    throw InputError(fmt::format("'{}' is not the folder of a run: it has no "
+                                 "run.json of tamp",
                                  folder.string()));
   RunFolder result;
   result.folder_ = folder;
   return result;
+}
+
+std::string RunFolder::command() const
+{
+  std::ifstream in(folder_ / "run.json");
+  const auto tree = nlohmann::json::parse(in, nullptr, false);
+  return tree.is_object() ? tree.value("command", "") : "";
 }
 
 fs::path RunFolder::subfolder(const std::string &name) const

@@ -33,6 +33,8 @@ public:
   static RunFolder existing(const std::filesystem::path &folder);
 
   const std::filesystem::path &path() const { return folder_; }
+  /// The command that run.json names; empty if there is none.
+  std::string command() const;
   /// Makes a folder in it. Throws OutputError.
   std::filesystem::path subfolder(const std::string &name) const;
   /// Replaces a file by `text`, as a whole. Throws OutputError.

@@ -232,7 +232,8 @@ RunInput read_input(const ParameterTable &table, Need need)
     check_start(table, input);
     check_grain_points(table, input, input.mesh.mesh.number_of_points());
   }
-  read_replicas(table, need, input);
+  if (need != Need::point)
+    read_replicas(table, need, input);
   input.files = files_of(table, input);
   return input;
 }

@@ -46,8 +46,8 @@ struct RunInput {
 void declare_parameters(ParameterTable &table);
 
 /// Which part of the input a command needs: the other parts may be left as they
-/// are, even if they do not fit the material.
-enum class Need { everything, probe, die, pack, contact };
+/// are, even if they do not fit the material. A point needs its material only.
+enum class Need { everything, probe, die, pack, contact, point };
 
 /// Turns values into settings. Throws InputError where values do not fit
 /// together, or where a file that they name is missing.

@@ -59,6 +59,14 @@ std::string whole_input(const std::string &echo,
   return input;
 }
 
+std::string effective_input(const std::string &input)
+{
+  std::string lines;
+  for (const auto &[path, value] : entries_of(input))
+    lines += fmt::format("set {} = {}\n", path, value);
+  return lines;
+}
+
 std::string differences(const std::string &now, const std::string &then)
 {
   const auto entries = entries_of(now), earlier = entries_of(then);

@@ -15,6 +15,10 @@ namespace tamp::apps
 std::string whole_input(const std::string &echo,
                         const std::vector<std::filesystem::path> &files);
 
+/// The entries of such an input that have an effect on the results, one a line:
+/// differences() reads them as it reads the input itself.
+std::string effective_input(const std::string &input);
+
 /// What differs between two such inputs, entry by entry, "Section/Name = now,
 /// was then"; empty if they give the same run: when checkpoints are written and
 /// plots are drawn does not matter.

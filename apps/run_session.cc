@@ -122,14 +122,17 @@ RunSession::RunSession(const std::string &command,
 
   if (place.first()) {
     told_ = whole_input(record_.input_echo, input_.files);
-    open_folder(options);
+    name_files_in_full(table);
+    echo.str("");
+    table.echo(echo);
+    open_folder(options, echo.str());
   } else {
     folder_ = std::make_unique<RunFolder>();
     log_ = std::make_unique<RunLog>();
   }
 }
 
-void RunSession::open_folder(const RunOptions &options)
+void RunSession::open_folder(const RunOptions &options, const std::string &echo)
 {
   const auto path = options.output.empty() ? "results" / options.input.stem()
                                            : options.output;
@@ -137,7 +140,7 @@ void RunSession::open_folder(const RunOptions &options)
     found_.emplace(find_to_resume(path, told_));
     folder_ = std::make_unique<RunFolder>(RunFolder::existing(path));
   } else {
-    start_folder(options, path);
+    start_folder(options, path, echo);
   }
   folder_->write("run.json", record_.json());
   // mpirun gives what it starts a terminal, whatever its own output is.
@@ -162,7 +165,8 @@ void RunSession::open_folder(const RunOptions &options)
 }
 
 void RunSession::start_folder(const RunOptions &options,
-                              const std::filesystem::path &path)
+                              const std::filesystem::path &path,
+                              const std::string &echo)
 {
   std::vector<std::filesystem::path> needed = input_.files;
   needed.push_back(options.input);
@@ -170,7 +174,7 @@ void RunSession::start_folder(const RunOptions &options,
   folder_->write("input.prm",
                  fmt::format("# All parameters of this run in SI, tamp {}.\n{}",
                              build_facts().version,
-                             record_.input_echo));
+                             echo));
 }
 
 void RunSession::pack(std::vector<char> &bytes) const

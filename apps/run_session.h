@@ -105,9 +105,10 @@ public:
 private:
   int finish(const RunEnd &end);
 
-  void open_folder(const RunOptions &options);
+  void open_folder(const RunOptions &options, const std::string &echo);
   void start_folder(const RunOptions &options,
-                    const std::filesystem::path &path);
+                    const std::filesystem::path &path,
+                    const std::string &echo);
 
   RankPlace place_;
   RunInput input_;

@@ -33,12 +33,13 @@ void add_input_options(CLI::App &command, RunOptions &options)
                      "Threads; default: all cores this process may use");
 }
 
-void add_run_options(CLI::App &command, RunOptions &options)
+void add_output_options(CLI::App &command,
+                        const std::string &usual_folder,
+                        RunOptions &options)
 {
-  add_input_options(command, options);
   command.add_option("-o,--output",
                      options.output,
-                     "Folder for results; default results/<name of the input>");
+                     "Folder for results; default " + usual_folder);
   command.add_flag(
       "--force", options.force, "Overwrite the results in an existing folder");
   command.add_flag_callback(
@@ -51,6 +52,12 @@ void add_run_options(CLI::App &command, RunOptions &options)
       "Say everything, without a bar");
   command.add_flag_callback(
       "--no-plots", [&options] { options.plots = false; }, "Draw no plots");
+}
+
+void add_run_options(CLI::App &command, RunOptions &options)
+{
+  add_input_options(command, options);
+  add_output_options(command, "results/<name of the input>", options);
 }
 
 // A number from the environment of whichever launcher there is: Open MPI or one
@@ -81,6 +88,34 @@ void expect_one_rank(const std::string &command)
                                  "--threads N instead of mpirun -np N",
                                  command,
                                  count));
+}
+
+void add_inspect(CLI::App &app,
+                 PointChoice &choice,
+                 RunOptions &options,
+                 int &code)
+{
+  CLI::App *inspect = app.add_subcommand(
+      "inspect", "Look into one material point of a die's unit cells");
+  inspect->add_option("RESULT", choice.folder, "Folder of a run of tamp die")
+      ->required();
+  inspect->add_option(
+      "--cell", choice.cell, "Cell of the mesh, 'cell' in the .vtu files");
+  inspect
+      ->add_option("--point",
+                   choice.point,
+                   "Point, 'point' in the .vtu files; with --cell also its "
+                   "number in the cell")
+      ->required();
+  inspect->add_option("--step",
+                      choice.step,
+                      "Step whose grains are written, or all; default: the "
+                      "last one");
+  add_output_options(*inspect, "RESULT/inspect/cell_<C>_point_<Q>", options);
+  inspect->callback([&] {
+    expect_one_rank("inspect");
+    code = inspect_point(choice, options);
+  });
 }
 
 struct OtherOptions {
@@ -191,6 +226,8 @@ int run(int argc, char **argv)
     code = check_input(options);
   });
 
+  PointChoice choice;
+  add_inspect(app, choice, options, code);
   add_other_commands(app, other, code);
   app.add_subcommand("cite", "Print BibTeX entries")->callback([&] {
     code = print_citations();

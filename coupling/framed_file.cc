@@ -79,8 +79,18 @@ void FramedFileWriter::finish()
   file_.finish();
 }
 
+std::vector<char> framed(std::uint64_t number, std::span<const char> bytes)
+{
+  const Head head = head_of(number, bytes.size(), checksum(bytes));
+  const auto begin = bytes_of(head);
+  std::vector<char> result(begin.begin(), begin.end());
+  result.insert(result.end(), bytes.begin(), bytes.end());
+  return result;
+}
+
 FramedFileReader::FramedFileReader(const std::filesystem::path &file,
-                                   const std::string &title)
+                                   const std::string &title,
+                                   FramesEnd end)
     : name_(file), file_(file, std::ios::binary)
 {
   std::error_code error;
@@ -96,6 +106,9 @@ FramedFileReader::FramedFileReader(const std::filesystem::path &file,
                                 ", not with '" + title + "'");
   for (std::uint64_t place = line.size();;) {
     Head head;
+    const bool grows = end == FramesEnd::anywhere;
+    if (size - place < sizeof head && grows)
+      return;
     if (size - place < sizeof head)
       damaged();
     file_.seekg(static_cast<std::streamoff>(place));
@@ -104,11 +117,13 @@ FramedFileReader::FramedFileReader(const std::filesystem::path &file,
     const Head wanted = head_of(frames_.size(), head.size, head.checksum);
     if (!file_ || head.number != wanted.number || head.own != wanted.own)
       damaged();
-    if (head.size == ending) {
+    if (head.size == ending && !grows) {
       if (place != size)
         damaged();
       return;
     }
+    if (head.size > size - place && grows)
+      return;
     if (head.size > size - place)
       damaged();
     frames_.push_back({place, head.size, head.checksum});

@@ -30,14 +30,25 @@ private:
   std::uint64_t number_ = 0, size_ = 0;
 };
 
-/// Reads what FramedFileWriter wrote.
+/// A frame as it stands in a file: for files that grow, which begin with a
+/// title and have no end.
+std::vector<char> framed(std::uint64_t number, std::span<const char> bytes);
+
+/// How a file of frames ends: as FramedFileWriter ends it; or after any frame,
+/// of which the last one may be cut off, as a process that was killed leaves a
+/// file that grows. A cut frame is passed over.
+enum class FramesEnd { marked, anywhere };
+
+/// Reads what FramedFileWriter or framed() wrote.
 class FramedFileReader
 {
 public:
   /// Reads all of the file once. Throws FileError if it cannot be read, and
   /// std::invalid_argument, in words that say what it has, if the title is
   /// another one or the file is not whole, to the bit.
-  FramedFileReader(const std::filesystem::path &file, const std::string &title);
+  FramedFileReader(const std::filesystem::path &file,
+                   const std::string &title,
+                   FramesEnd end = FramesEnd::marked);
 
   std::size_t frames() const { return frames_.size(); }
   /// Throws the same: files may be damaged while they are read.

@@ -131,7 +131,7 @@ public:
 
   /// Writes the committed state as `folder`/`name`.vtu: each element as four
   /// quadrilaterals, one per material point, with displacement, Cauchy stress,
-  /// relative density, point number and the extra fields. Throws
+  /// relative density, numbers of point and cell and the extra fields. Throws
   /// std::runtime_error naming the file if it cannot be written. Collective;
   /// the first rank writes.
   void write_fields(const std::filesystem::path &folder,

@@ -103,8 +103,15 @@ std::vector<PointField> fields_of(const Press &press)
     return std::sqrt(1.5) * dealii::deviator(r.stress).norm();
   });
   add("relative_density", [](const Response &r) { return r.relative_density; });
-  double number = static_cast<double>(press.compact().point_share().begin);
-  add("point", [&number](const Response &) { return number++; });
+  std::size_t number = press.compact().point_share().begin;
+  PointField point{"point", {}, {}}, cell{"cell", {}, {}};
+  for (; point.values.size() < press.compact().point_share().size(); ++number) {
+    point.values.push_back(static_cast<double>(number));
+    cell.values.push_back(
+        static_cast<double>(number / press.mesh().points_per_cell()));
+  }
+  fields.push_back(std::move(point));
+  fields.push_back(std::move(cell));
   return fields;
 }
 
@@ -184,7 +191,8 @@ std::string with_units(const std::string &vtu,
       " displacement [m] since the start;\n"
       "     stress_*, pressure, contact_pressure [Pa], compression positive; "
       "deviatoric_stress: von Mises [Pa];\n     contact_slip [m] in the last "
-      "step; relative_density [-]. One part of a cell a material point.";
+      "step; relative_density [-]. One part of a cell a material point; "
+      "point and cell: their numbers.";
   for (const PointField &field : extra)
     if (!field.meaning.empty())
       units += "\n     " + field.name + " " + field.meaning + ".";

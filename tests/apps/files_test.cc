@@ -140,6 +140,7 @@ TEST_F(Files, FieldsHaveAQuadrilateralAPointWithItsValues)
       return range_of(grid->GetPointData()->GetArray(name));
     };
     EXPECT_EQ(values("point"), (std::array<double, 2>{0, points - 1}));
+    EXPECT_EQ(values("cell"), (std::array<double, 2>{0, points / 4 - 1}));
     // A jammed packing under pressure, powder signs.
     EXPECT_GT(values("relative_density")[0], 0.5);
     EXPECT_LT(values("relative_density")[1], 0.7);

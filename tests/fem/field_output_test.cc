@@ -73,6 +73,7 @@ TEST(FieldOutput, FileHoldsOneCellAPointWithAllFields)
                            "deviatoric_stress",
                            "relative_density",
                            "point",
+                           "cell",
                            "extra"})
     EXPECT_NE(data->GetArray(name), nullptr) << name;
   // Files speak powder: compression is positive. Single precision on disk.
