@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # Mesh study of a die pressed with wall friction, all points cells of grains:
 # one packing at all points, which leaves the mesh alone to differ, and, with
-# packings of their own, the scatter over seeds. A quarter of an hour.
+# packings of their own, the scatter over seeds. Twenty minutes of one core.
 #
 #   [TAMP=PROGRAM] tests/studies/die_mesh.sh [FINEST [SEEDS]]
 #
