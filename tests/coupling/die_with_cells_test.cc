@@ -220,6 +220,38 @@ TEST(DieWithCells, ACutStepIsTheShorterStepToTheBit)
   EXPECT_EQ(run(true, 4e-3), run(false, 2e-3));
 }
 
+TEST(DieWithCells, WhereAnAttemptFailsLeavesNoTrace)
+{
+  // The fourth step is cut whichever of its updates fails, and the run goes on
+  // with warm cells: to the bit the same.
+  const auto run = [](unsigned failing) {
+    DieSettings settings = small_die(1, 2, 0.7);
+    settings.friction[fem::die_wall] = fem::FrictionCoefficient(0.2);
+    settings.solver.force_tolerance = 1e-5; // some updates to choose from
+    const Mesh mesh = fem::build_mesh(settings.geometry);
+    UnitCellPoints cells(test::different_cells(8), {});
+    Watched points(cells);
+    DieModel die(settings, mesh, points);
+    for (unsigned step = 1; step <= 6; ++step) {
+      unsigned update = 0;
+      bool spoilt = step != 4;
+      points.spoil = [&](unsigned, std::span<Response> responses) {
+        if (++update == failing && !spoilt) {
+          responses[3].status = fem::Status::failed;
+          spoilt = true;
+        }
+      };
+      EXPECT_EQ(die.advance(), Advance::stepped);
+      EXPECT_TRUE(spoilt) << "update " << failing << " never came";
+      EXPECT_EQ(die.last_step().cuts, step == 4 ? 1u : 0u);
+    }
+    return bytes_of(points);
+  };
+  const std::vector<char> wanted = run(1);
+  for (const unsigned failing : {2u, 3u})
+    EXPECT_EQ(run(failing), wanted) << "update " << failing;
+}
+
 TEST(DieWithCells, PressesUnloadsAndEjects)
 {
   DieSettings settings = small_die(1, 2, 0.75);

@@ -3,6 +3,7 @@
 #include <dem/measures.h>
 #include <dem/random_numbers.h>
 #include <tests/coupling/sample_cells.h>
+#include <tests/dem/sample_cells.h>
 
 #include <cmath>
 #include <cstring>
@@ -136,6 +137,8 @@ TEST(UnitCellPoints, RotatedPathRotatesStress)
         to_matrix(dealii::Tensor<2, 3>(rotated[0].stress));
     // Round-off of the stretches, as slips follow it.
     EXPECT_LT((found - wanted).norm(), 1e-12 * wanted.norm()) << step;
+    EXPECT_EQ(straight.report().mean_evaluations,
+              turning.report().mean_evaluations);
     straight.commit();
     turning.commit();
   }
@@ -176,6 +179,39 @@ TEST(UnitCellPoints, AFullTurnLeavesTheInvariantsOfTheStress)
   }
   EXPECT_LT((stress - first).norm(), 1e-3 * first.norm());
   EXPECT_EQ(dem::measure(points.cell(0)).sliding_contacts, sliding);
+}
+
+TEST(UnitCellPoints, TangentOfATurnedLatticeIsTheSlopeOfItsAnswers)
+{
+  // Motion is affine by symmetry, so that Voigt's tangent is exact; central
+  // differences are off by (strain / overlap)^2 / 24.
+  constexpr double differences = 1e-6, overlap = 1e-2, strain = 1e-5;
+  dem::ContactModel sticking;
+  sticking.normal_law = dem::NormalLaw::hertz;
+  sticking.friction_coefficient = 10;
+  UnitCellPoints points({dem::test::fcc_cell(overlap, sticking)}, test::cold());
+  const double angle = 0.6;
+  Deformation turn;
+  turn.relative_F[0][0] = turn.relative_F[2][2] = std::cos(angle);
+  turn.relative_F[0][2] = -(turn.relative_F[2][0] = std::sin(angle));
+  turn.relative_F[1][1] = 1;
+  std::vector<Response> answer(1);
+  points.evaluate(std::span(&turn, 1), Want::stress, answer);
+  points.commit();
+  const dealii::Tensor<2, 3> one(dealii::unit_symmetric_tensor<3>());
+  const dealii::SymmetricTensor<4, 3> tangent =
+      evaluate(points, Deformation{one})[0].tangent;
+  for (unsigned a = 0; a < 3; ++a)
+    for (unsigned b = a; b < 3; ++b) {
+      dealii::SymmetricTensor<2, 3> unit;
+      unit[a][b] = 1;
+      const dealii::Tensor<2, 3> step = strain * dealii::Tensor<2, 3>(unit);
+      const auto ahead = evaluate(points, Deformation{one + step})[0].stress;
+      const auto back = evaluate(points, Deformation{one - step})[0].stress;
+      EXPECT_LT((tangent * unit - (ahead - back) / (2 * strain)).norm(),
+                differences * tangent.norm())
+          << a << b;
+    }
 }
 
 TEST(UnitCellPoints, DensityFollowsTheVolume)
