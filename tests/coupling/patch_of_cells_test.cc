@@ -128,8 +128,8 @@ TEST(PatchOfCells, ATurnOfTheMeshTurnsForcesAndCostsNoEvaluation)
   const Gradient Q = turned();
   straight.deform(pressed_and_sheared());
   turning.deform(Q * pressed_and_sheared());
-  EXPECT_EQ(straight.cells.report().mean_evaluations,
-            turning.cells.report().mean_evaluations);
+  EXPECT_EQ(straight.cells.report().mean_evaluations(),
+            turning.cells.report().mean_evaluations());
   const std::vector<double> a = straight.compact.internal_forces(),
                             b = turning.compact.internal_forces();
   double largest = 0;

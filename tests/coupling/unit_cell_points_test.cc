@@ -137,8 +137,8 @@ TEST(UnitCellPoints, RotatedPathRotatesStress)
         to_matrix(dealii::Tensor<2, 3>(rotated[0].stress));
     // Round-off of the stretches, as slips follow it.
     EXPECT_LT((found - wanted).norm(), 1e-12 * wanted.norm()) << step;
-    EXPECT_EQ(straight.report().mean_evaluations,
-              turning.report().mean_evaluations);
+    EXPECT_EQ(straight.report().mean_evaluations(),
+              turning.report().mean_evaluations());
     straight.commit();
     turning.commit();
   }
