@@ -102,7 +102,8 @@ stop() {
     kill -0 "$run" 2> /dev/null || { cat err.txt; fail "ended too soon"; }
     sleep 0.01
   done
-  kill -TERM "$run"
+  # mpirun itself passes the signal on a second later.
+  pkill -TERM -P "$run" -x tamp || fail "not running"
   wait "$run" && fail "not stopped"
   return 0
 }
