@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fem/anderson.h>
+#include <fem/dot.h>
 
 #include <cmath>
-#include <numeric>
 
 namespace tamp::fem
 {
 namespace
 {
 using Vector = std::vector<double>;
-
-double dot(const Vector &a, const Vector &b)
-{
-  return std::inner_product(a.begin(), a.end(), b.begin(), 0.);
-}
 
 void add(Vector &a, double factor, const Vector &b)
 {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fem/anderson.h>
+#include <fem/dot.h>
 #include <fem/equilibrium.h>
 #include <fem/newton.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <sstream>
 
 namespace tamp::fem
@@ -30,8 +30,7 @@ double largest(const std::vector<double> &values)
 
 double norm(const std::vector<double> &values)
 {
-  return std::sqrt(
-      std::inner_product(values.begin(), values.end(), values.begin(), 0.));
+  return std::sqrt(dot(values, values));
 }
 
 double pressure(const Response &response)

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fem/dot.h>
+#include <fem/helpful_length.h>
 #include <fem/press.h>
 #include <fem/stop_watch.h>
 
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
-#include <cstdint>
 #include <limits>
-#include <numeric>
 
 namespace tamp::fem
 {
@@ -23,40 +23,6 @@ double reactions(const std::vector<PairForce> &forces)
   for (const PairForce &pair : forces)
     squares += pair.force.norm_square();
   return std::sqrt(squares);
-}
-
-double dot(std::span<const double> a, std::span<const double> b)
-{
-  return std::inner_product(a.begin(), a.end(), b.begin(), 0.);
-}
-
-/// How much of a step helps. The unbalanced forces, times the step, fall along
-/// it and would be negative beyond the place where the energy is least; it ends
-/// where little is left of them. The norm of the forces is no guide: contact is
-/// so much stiffer than powder.
-/// @param pull  unbalanced forces times the step, at a share of it [J]
-template <class Pull>
-double helpful_length(const Pull &pull, double at_begin, double at_end)
-{
-  constexpr double little = 0.1, narrow = 1e-6;
-  if (!(at_begin > 0) || at_end >= -little * at_begin)
-    return 1;
-  double length = 1, left = at_end;
-  std::uintmax_t evaluations = 30;
-  boost::math::tools::toms748_solve(
-      [&](double at) {
-        length = at;
-        return left = pull(at);
-      },
-      0.,
-      1.,
-      at_begin,
-      at_end,
-      [&](double low, double high) {
-        return std::abs(left) <= little * at_begin || high - low <= narrow;
-      },
-      evaluations);
-  return length;
 }
 } // namespace
 
@@ -311,12 +277,13 @@ bool Press::advance_balance(Balance &now, const Increment &increment)
     return balance_after(change, std::move(internal), increment);
   };
   Balance next = after(1);
-  const double length = helpful_length(
-      [&](double length) { return dot(after(length).right, step); },
+  find_helpful_length(
+      [&](double length) {
+        next = after(length);
+        return dot(next.right, step);
+      },
       dot(now.right, step),
       dot(next.right, step));
-  if (length < 1)
-    next = after(length);
   now = std::move(next);
   return true;
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fem/dot.h>
 #include <fem/press_system.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace tamp::fem
 {
@@ -99,11 +99,6 @@ bool are_alike(const std::vector<ContactBlock> &a,
            (x.stiffness - y.stiffness).norm() <= little * y.stiffness.norm();
   };
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), alike);
-}
-
-double dot(std::span<const double> a, std::span<const double> b)
-{
-  return std::inner_product(a.begin(), a.end(), b.begin(), 0.);
 }
 } // namespace
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <coupling/shared_cells.h>
-#include <tests/contract/material_points_contract.h>
-#include <tests/coupling/sample_cells.h>
+#include <tests/coupling/unit_cell_traits.h>
 
 #include <memory>
 
@@ -12,14 +11,7 @@ struct CellsOfAllRanks {
 };
 
 template <>
-struct ContractTraits<CellsOfAllRanks> : ContractDefaults {
-  // As of unit cells on one rank.
-  static double identity_tolerance() { return 5e-3; }
-  static Tangent tangent() { return Tangent::upper_bound; }
-  static double tangent_tolerance() { return 0.1; }
-  static double most_stiff() { return 6; }
-  static double probe_strain() { return 1e-3; }
-
+struct ContractTraits<CellsOfAllRanks> : ContractTraits<UnitCells> {
   static std::unique_ptr<MaterialPoints> make()
   {
     constexpr std::size_t count = 3;
@@ -32,23 +24,6 @@ struct ContractTraits<CellsOfAllRanks> : ContractDefaults {
             coupling::test::same_cells(own.size()), options),
         count,
         ranks);
-  }
-  static std::vector<dealii::Tensor<2, 3>> path()
-  {
-    dealii::Tensor<2, 3> press;
-    press[0][0] = press[1][1] = 1;
-    press[2][2] = 1 - 5e-3;
-    return {press, press, press, press};
-  }
-  static dealii::Tensor<2, 3> next()
-  {
-    dealii::Tensor<2, 3> F;
-    F[0][0] = 1 - 1e-3;
-    F[1][1] = 1;
-    F[2][2] = 1 - 4e-3;
-    F[0][2] = 2e-3;
-    F[2][0] = -1e-3;
-    return F;
   }
 };
 
