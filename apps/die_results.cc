@@ -107,6 +107,7 @@ void DieResults::take(const fem::StepRecord &record,
   ++steps_;
   updates_ += record.material_updates;
   cuts_ += record.cuts;
+  stagnated_ += record.stagnated;
   doubtful_points_ += record.doubtful_points;
   doubtful_steps_ += record.doubtful_points > 0;
   evaluations_ += effort.evaluations;
@@ -213,6 +214,15 @@ void DieResults::give_effort(RunSession &session) const
   session.result("cut_attempts[-]", cuts_);
   session.result("cell_updates_per_step[-]", ratio(updates_, steps_));
   session.result("worst_force_imbalance[-]", worst_balance_);
+  session.result("steps_out_of_balance[-]", stagnated_);
+  if (stagnated_ > 0)
+    session.warn(fmt::format(
+        "{} of {} steps were accepted out of balance by more than "
+        "Solver/Force tolerance, but not more than ten times as much: grains "
+        "gave way, and no update got nearer; column force_residual says how "
+        "much",
+        stagnated_,
+        steps_));
   session.result("doubtful_points[-]", static_cast<double>(doubtful_points_));
   if (doubtful_points_ > 0)
     session.warn(fmt::format(

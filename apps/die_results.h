@@ -55,6 +55,7 @@ private:
   double worst_unbalance_ = 0, worst_hill_mandel_ = 0;
   double evaluations_ = 0;
   unsigned steps_ = 0, updates_ = 0, cuts_ = 0, doubtful_steps_ = 0;
+  unsigned stagnated_ = 0;
   std::size_t doubtful_points_ = 0;
 };
 } // namespace tamp::apps

@@ -71,6 +71,8 @@ std::string step_line(const fem::StepRecord &record,
                         effort->worst_unbalance);
   if (record.cuts > 0)
     text += fmt::format("  cuts {}", record.cuts);
+  if (record.stagnated)
+    text += "  out of balance";
   if (record.doubtful_points > 0)
     text += fmt::format("  doubtful points {}", record.doubtful_points);
   return text;

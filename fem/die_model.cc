@@ -284,6 +284,7 @@ struct DieModel::Implementation {
     record.cuts = cuts;
     record.force_residual = attempt.force_residual;
     record.displacement_change = attempt.displacement_change;
+    record.stagnated = attempt.stagnated;
     record.doubtful_points = attempt.doubtful_points;
     record.stage_progress = schedule.progress(state);
     return true;

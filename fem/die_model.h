@@ -40,6 +40,7 @@ struct StepRecord {
   unsigned cuts = 0;              ///< attempts given up before this one
   double force_residual = 0;      ///< / reactions [-]
   double displacement_change = 0; ///< / increment, in the last iteration [-]
+  bool stagnated = false;         ///< out of balance, see Attempt
   std::size_t doubtful_points = 0;
   double stage_progress = 0; ///< 0 to 1
 };

@@ -12,6 +12,7 @@ namespace tamp::fem
 /// What became of an attempt to find equilibrium.
 struct Attempt {
   bool converged = false;
+  bool stagnated = false;  ///< converged to less than was asked, see below
   std::string reason;      ///< why not
   std::size_t point = 0;   ///< where it went wrong, or the residual is largest
   unsigned iterations = 0; ///< evaluations of all points
@@ -26,7 +27,10 @@ struct Attempt {
 /// iteration, for materials that answer at once; and, for those whose answers
 /// are dear, one matrix a step: every iteration evaluates the points once,
 /// balances their linearised forces with the tools at no material cost, and is
-/// accelerated after Anderson.
+/// accelerated after Anderson. Answers of grains are not smooth: they slip or
+/// give way between one trial and the next. Where no update gets nearer, the
+/// nearest state is taken, and said to be, if its forces and the work of what
+/// is unbalanced are within ten times the tolerance.
 class Equilibrium
 {
 public:
@@ -52,11 +56,16 @@ public:
 private:
   void search_newton(Attempt &attempt);
   void search_accelerated(Attempt &attempt);
+  void settle_for(const Increment &nearest, Attempt &attempt);
   std::vector<double> measure(Attempt &attempt) const;
+  std::vector<double> judge(Attempt &attempt);
   double relative_change(const std::vector<double> &change) const;
-  bool good(const Attempt &attempt) const;
+  bool good(const Attempt &attempt, double tolerances = 1) const;
   bool fails(const Fault &fault, Attempt &attempt) const;
-  bool opens(Attempt &attempt) const;
+  /// Powder that bears less than this, a small share of its mean bulk modulus
+  /// in the trial, may give way for good as it is pressed [Pa].
+  double loose_pressure() const;
+  bool opens(double loose, Attempt &attempt) const;
   void shorten(const Increment &from, Increment &to) const;
   std::size_t point_of_largest(const std::vector<double> &imbalance) const;
 

@@ -201,6 +201,11 @@ double Press::tool_imbalance() const
   return std::abs(sum) / largest;
 }
 
+double Press::work_of_powder(const Increment &increment) const
+{
+  return dot(internal_, std::span(increment).first(internal_.size()));
+}
+
 std::vector<ContactBlock>
 Press::contact_blocks(const std::vector<PairForce> &forces,
                       const NodePositions &positions,

@@ -64,6 +64,8 @@ public:
   double reference_force() const;
   /// Unbalanced force of the tools over the largest of them [-].
   double tool_imbalance() const;
+  /// Work of the powder's forces in the trial on an increment [J].
+  double work_of_powder(const Increment &increment) const;
   ToolForces trial_forces() const { return contact_.sums(pair_forces_); }
 
   /// The change that balances the tools with a powder that answers linearly: a

@@ -199,6 +199,35 @@ TEST(Equilibrium, FailedAttemptLeavesNoTrace)
     EXPECT_EQ(wall[i].force, disturbed.press.contact().accepted()[i].force);
 }
 
+// A point's stress is off by a share, up and down from trial to trial: no
+// update gets the forces nearer to balance than a part of it.
+TEST(Equilibrium, NearestStateIsTakenIfAnswersScatterALittle)
+{
+  constexpr double tolerance = 1e-4;
+  SolverSettings settings = solver(NonlinearMethod::anderson, tolerance);
+  settings.displacement_tolerance = 1e-2;
+  const auto attempt = [&](double scatter) {
+    Bench bench(settings);
+    bench.points.spoil = [scatter](unsigned evaluation,
+                                   std::span<Response> responses) {
+      responses[5].stress *= 1 + (evaluation % 2 ? scatter : -scatter);
+    };
+    return bench.attempt(down(1e-4));
+  };
+  const Attempt smooth = attempt(0);
+  EXPECT_TRUE(smooth.converged);
+  EXPECT_FALSE(smooth.stagnated);
+  EXPECT_LE(smooth.force_residual, tolerance);
+  const Attempt scattered = attempt(1e-2);
+  EXPECT_TRUE(scattered.converged) << scattered.reason;
+  EXPECT_TRUE(scattered.stagnated);
+  EXPECT_GT(scattered.force_residual, tolerance);
+  EXPECT_LE(scattered.force_residual, 10 * tolerance);
+  const Attempt wild = attempt(0.3);
+  EXPECT_FALSE(wild.converged);
+  EXPECT_FALSE(wild.stagnated);
+}
+
 TEST(Equilibrium, GuardRefusesAnOpeningState)
 {
   Bench bench(solver(NonlinearMethod::newton));
