@@ -59,6 +59,10 @@ std::vector<std::string> die_header()
           "die_displacement[m]",
           "compact_height[m]",
           "compact_radius[m]",
+          "tool_work[J]",
+          "powder_work[J]",
+          "tool_friction_work[J]",
+          "energy_residual[-]",
           "wall_time[s]"};
 }
 
@@ -88,6 +92,10 @@ std::vector<double> die_values(const fem::StepRecord &record,
                              record.die_displacement,
                              record.compact_height,
                              record.compact_radius,
+                             record.work.tools,
+                             record.work.powder,
+                             record.work.lost,
+                             record.work.residual(),
                              effort.wall_time};
   for (double &value : values)
     value += 0.; // nobody wants to read -0
@@ -114,6 +122,7 @@ void DieResults::take(const fem::StepRecord &record,
   worst_balance_ = std::max(
       worst_balance_,
       imbalance(record, std::max(peak_.upper_force, peak_.lower_force)));
+  worst_energy_ = std::max(worst_energy_, record.work.residual());
   worst_unbalance_ = std::max(worst_unbalance_, effort.worst_unbalance);
   worst_hill_mandel_ = std::max(worst_hill_mandel_, effort.worst_hill_mandel);
   if (stage.kind == fem::StageKind::unload) {
@@ -208,11 +217,17 @@ void DieResults::give_end(RunSession &session) const
 
 void DieResults::give_effort(RunSession &session) const
 {
+  session.heading("Work since the start");
+  session.result("tool_work[J]", last_.work.tools);
+  session.result("powder_work[J]", last_.work.powder);
+  session.result("tool_friction_work[J]", last_.work.lost);
   session.heading("Effort and accuracy");
   session.result("steps[-]", steps_);
   session.result("cut_attempts[-]", cuts_);
   session.result("cell_updates_per_step[-]", ratio(updates_, steps_));
   session.result("worst_force_imbalance[-]", worst_balance_);
+  session.result("energy_residual[-]", last_.work.residual());
+  session.result("worst_energy_residual[-]", worst_energy_);
   session.result("doubtful_points[-]", static_cast<double>(doubtful_points_));
   if (doubtful_points_ > 0)
     session.warn(fmt::format(

@@ -51,7 +51,7 @@ private:
   bool started_ = false, unloaded_ = false, ejecting_ = false, out_ = false;
   fem::Pressing pressing_ = fem::Pressing::upper, peak_by_ = pressing_;
   double residual_wall_pressure_ = 0, unloaded_height_change_ = 0;
-  double ejection_force_ = 0, worst_balance_ = 0;
+  double ejection_force_ = 0, worst_balance_ = 0, worst_energy_ = 0;
   double worst_unbalance_ = 0, worst_hill_mandel_ = 0;
   double evaluations_ = 0;
   unsigned steps_ = 0, updates_ = 0, cuts_ = 0, doubtful_steps_ = 0;

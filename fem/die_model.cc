@@ -42,7 +42,6 @@ Densities densities(const Compact &compact)
           -compact.ranks().largest(-smallest),
           compact.ranks().largest(largest)};
 }
-
 } // namespace
 
 struct DieModel::Implementation {
@@ -191,6 +190,7 @@ struct DieModel::Implementation {
     record.mean_relative_density = density.mean;
     record.minimum_relative_density = density.minimum;
     record.maximum_relative_density = density.maximum;
+    record.work = press.work();
   }
 
   /// First guess of the increment: the last one of the phase, scaled; a uniform
