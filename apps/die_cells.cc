@@ -87,6 +87,7 @@ void DieCells::measure(StepEffort &effort)
   bias_.add_cost(static_cast<double>(report.evaluations));
   effort.worst_unbalance = report.worst_unbalance;
   effort.worst_hill_mandel = report.worst_hill_mandel;
+  effort.worst_asymmetry = report.worst_asymmetry;
 }
 
 void DieCells::judge(const std::string &step)

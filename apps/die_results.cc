@@ -63,6 +63,8 @@ std::vector<std::string> die_header()
           "powder_work[J]",
           "tool_friction_work[J]",
           "energy_residual[-]",
+          "displacement_change[-]",
+          "worst_stress_asymmetry[-]",
           "wall_time[s]"};
 }
 
@@ -96,6 +98,8 @@ std::vector<double> die_values(const fem::StepRecord &record,
                              record.work.powder,
                              record.work.lost,
                              record.work.residual(),
+                             record.displacement_change,
+                             effort.worst_asymmetry,
                              effort.wall_time};
   for (double &value : values)
     value += 0.; // nobody wants to read -0
@@ -125,6 +129,7 @@ void DieResults::take(const fem::StepRecord &record,
   worst_energy_ = std::max(worst_energy_, record.work.residual());
   worst_unbalance_ = std::max(worst_unbalance_, effort.worst_unbalance);
   worst_hill_mandel_ = std::max(worst_hill_mandel_, effort.worst_hill_mandel);
+  worst_asymmetry_ = std::max(worst_asymmetry_, effort.worst_asymmetry);
   if (stage.kind == fem::StageKind::unload) {
     unloaded_ = true;
     residual_wall_pressure_ = ratio(record.wall_normal_force, record.wall_area);
@@ -240,6 +245,7 @@ void DieResults::give_effort(RunSession &session) const
     session.result("force_evaluations_per_cell[-]", evaluations_);
     session.result("worst_unbalance[-]", worst_unbalance_);
     session.result("worst_hill_mandel[-]", worst_hill_mandel_);
+    session.result("worst_stress_asymmetry[-]", worst_asymmetry_);
   }
 }
 } // namespace tamp::apps
