@@ -97,7 +97,7 @@ DieEnd press(const fem::Ranks &ranks, const Fault &fault)
                           ranks);
   fem::DieModel die(settings, mesh, cells);
   DieEnd end;
-  while (end.forces.size() < 3 && !end.failed) {
+  while (end.forces.size() < 6 && !end.failed) {
     end.failed = die.advance() == fem::Advance::failed;
     end.forces.push_back(die.last_step().upper_force);
     end.cuts += die.last_step().cuts;
@@ -123,9 +123,9 @@ TEST(AFailedCell, FailsTheAttemptOnAllRanksWhichGoOnAsOne)
 
 TEST(AFailedCell, ThatFailsInEveryAttemptEndsTheRunOnAllRanks)
 {
-  const Fault from_second_step{6, always};
-  const DieEnd shared = press(fem::Ranks(MPI_COMM_WORLD), from_second_step);
-  const DieEnd alone = press(fem::Ranks(), from_second_step);
+  const Fault later_on{30, always}; // after some steps
+  const DieEnd shared = press(fem::Ranks(MPI_COMM_WORLD), later_on);
+  const DieEnd alone = press(fem::Ranks(), later_on);
   EXPECT_TRUE(shared.failed);
   EXPECT_GT(shared.forces.size(), 1u); // some steps went well
   EXPECT_EQ(shared.point, count - 1);
