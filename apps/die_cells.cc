@@ -55,8 +55,15 @@ DieCells::DieCells(RunSession &session,
                    RecordedPoints &points,
                    coupling::SharedCells *cells)
     : session_(session), model_(model), points_(points), cells_(cells),
-      remarks_(session, "point", session.input().mesh.mesh.number_of_points())
+      remarks_(session, "point", session.input().mesh.mesh.number_of_points()),
+      bias_(session, cells)
 {
+  if (cells_)
+    points_.when_committing(
+        [this](const auto &deformations, const auto &answers) {
+          bias_.look(
+              model_.last_step().step + 1, deformations, answers, force_floor_);
+        });
 }
 
 void DieCells::begin_stage(fem::StageKind kind, double peak_pressure)
@@ -71,14 +78,16 @@ void DieCells::begin_stage(fem::StageKind kind, double peak_pressure)
   points_.turn(force_floor_);
 }
 
-void DieCells::measure(StepEffort &effort) const
+void DieCells::measure(StepEffort &effort)
 {
   if (!cells_)
     return;
   const coupling::CellReport report = cells_->report();
   effort.evaluations = report.mean_evaluations();
+  bias_.add_cost(static_cast<double>(report.evaluations));
   effort.worst_unbalance = report.worst_unbalance;
   effort.worst_hill_mandel = report.worst_hill_mandel;
+  effort.worst_asymmetry = report.worst_asymmetry;
 }
 
 void DieCells::judge(const std::string &step)
@@ -116,6 +125,7 @@ std::string DieCells::problem() const
 void DieCells::give() const
 {
   remarks_.give();
+  bias_.give(session_.input().die.solver.force_tolerance);
   if (!cells_ || session_.place().ranks == 1)
     return;
   const fem::RankLoads loads = cells_->loads();
@@ -130,6 +140,7 @@ void DieCells::pack(std::vector<char> &bytes) const
 {
   fem::append_state(bytes, force_floor_);
   remarks_.pack(bytes);
+  bias_.pack(bytes);
 }
 
 void DieCells::go_on(fem::StateBytes &stored)
@@ -138,5 +149,6 @@ void DieCells::go_on(fem::StateBytes &stored)
   if (cells_)
     cells_->set_force_floor(force_floor_);
   remarks_.go_on(stored);
+  bias_.go_on(stored);
 }
 } // namespace tamp::apps

@@ -2,6 +2,7 @@
 #ifndef apps_die_cells_h
 #define apps_die_cells_h
 
+#include <apps/cell_bias.h>
 #include <apps/cell_remarks.h>
 #include <apps/die_results.h>
 #include <apps/recorded_points.h>
@@ -49,7 +50,7 @@ public:
   /// @param peak_pressure  so far [Pa]
   void begin_stage(fem::StageKind kind, double peak_pressure);
   /// Adds what the last step cost and how good its answers are. Collective.
-  void measure(StepEffort &effort) const;
+  void measure(StepEffort &effort);
   /// Says what is doubtful about the cells. Collective.
   /// @param step  and what was done in it, in words.
   void judge(const std::string &step);
@@ -70,6 +71,7 @@ private:
   RecordedPoints &points_;
   coupling::SharedCells *cells_;
   CellRemarks remarks_;
+  CellBias bias_;
   double force_floor_ = 0; ///< of the stage [N]
 };
 } // namespace tamp::apps

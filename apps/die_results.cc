@@ -59,6 +59,12 @@ std::vector<std::string> die_header()
           "die_displacement[m]",
           "compact_height[m]",
           "compact_radius[m]",
+          "tool_work[J]",
+          "powder_work[J]",
+          "tool_friction_work[J]",
+          "energy_residual[-]",
+          "displacement_change[-]",
+          "worst_stress_asymmetry[-]",
           "wall_time[s]"};
 }
 
@@ -88,6 +94,12 @@ std::vector<double> die_values(const fem::StepRecord &record,
                              record.die_displacement,
                              record.compact_height,
                              record.compact_radius,
+                             record.work.tools,
+                             record.work.powder,
+                             record.work.lost,
+                             record.work.residual(),
+                             record.displacement_change,
+                             effort.worst_asymmetry,
                              effort.wall_time};
   for (double &value : values)
     value += 0.; // nobody wants to read -0
@@ -115,8 +127,10 @@ void DieResults::take(const fem::StepRecord &record,
   worst_balance_ = std::max(
       worst_balance_,
       imbalance(record, std::max(peak_.upper_force, peak_.lower_force)));
+  worst_energy_ = std::max(worst_energy_, record.work.residual());
   worst_unbalance_ = std::max(worst_unbalance_, effort.worst_unbalance);
   worst_hill_mandel_ = std::max(worst_hill_mandel_, effort.worst_hill_mandel);
+  worst_asymmetry_ = std::max(worst_asymmetry_, effort.worst_asymmetry);
   if (stage.kind == fem::StageKind::unload) {
     unloaded_ = true;
     residual_wall_pressure_ = ratio(record.wall_normal_force, record.wall_area);
@@ -209,6 +223,10 @@ void DieResults::give_end(RunSession &session) const
 
 void DieResults::give_effort(RunSession &session) const
 {
+  session.heading("Work since the start");
+  session.result("tool_work[J]", last_.work.tools);
+  session.result("powder_work[J]", last_.work.powder);
+  session.result("tool_friction_work[J]", last_.work.lost);
   session.heading("Effort and accuracy");
   session.result("steps[-]", steps_);
   session.result("cut_attempts[-]", cuts_);
@@ -223,6 +241,8 @@ void DieResults::give_effort(RunSession &session) const
         "much",
         stagnated_,
         steps_));
+  session.result("energy_residual[-]", last_.work.residual());
+  session.result("worst_energy_residual[-]", worst_energy_);
   session.result("doubtful_points[-]", static_cast<double>(doubtful_points_));
   if (doubtful_points_ > 0)
     session.warn(fmt::format(
@@ -235,6 +255,7 @@ void DieResults::give_effort(RunSession &session) const
     session.result("force_evaluations_per_cell[-]", evaluations_);
     session.result("worst_unbalance[-]", worst_unbalance_);
     session.result("worst_hill_mandel[-]", worst_hill_mandel_);
+    session.result("worst_stress_asymmetry[-]", worst_asymmetry_);
   }
 }
 } // namespace tamp::apps

@@ -15,6 +15,7 @@ struct StepEffort {
   double evaluations = 0;       ///< of all forces, per cell, in the step
   double worst_unbalance = 0;   ///< [-]
   double worst_hill_mandel = 0; ///< [-]
+  double worst_asymmetry = 0;   ///< |skw stress| / |stress| [-]
   double wall_time = 0;         ///< since the start of the run [s]
 };
 
@@ -51,8 +52,8 @@ private:
   bool started_ = false, unloaded_ = false, ejecting_ = false, out_ = false;
   fem::Pressing pressing_ = fem::Pressing::upper, peak_by_ = pressing_;
   double residual_wall_pressure_ = 0, unloaded_height_change_ = 0;
-  double ejection_force_ = 0, worst_balance_ = 0;
-  double worst_unbalance_ = 0, worst_hill_mandel_ = 0;
+  double ejection_force_ = 0, worst_balance_ = 0, worst_energy_ = 0;
+  double worst_unbalance_ = 0, worst_hill_mandel_ = 0, worst_asymmetry_ = 0;
   double evaluations_ = 0;
   unsigned steps_ = 0, updates_ = 0, cuts_ = 0, doubtful_steps_ = 0;
   unsigned stagnated_ = 0;

@@ -29,6 +29,8 @@ void RecordedPoints::evaluate(std::span<const fem::Deformation> deformations,
 
 void RecordedPoints::commit()
 {
+  if (committing_)
+    committing_(trial_, answers_);
   points_.commit();
   committed_ = trial_;
 }

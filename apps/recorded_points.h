@@ -5,6 +5,8 @@
 #include <apps/trial_file.h>
 #include <coupling/shared_cells.h>
 
+#include <functional>
+#include <utility>
 #include <vector>
 
 namespace tamp::apps
@@ -45,6 +47,12 @@ public:
     points_.variables_of(point, values);
   }
 
+  /// Is called with the deformations that are about to be committed, and what
+  /// unit cells answered to them.
+  using Committing = std::function<void(std::span<const fem::Deformation>,
+                                        std::span<const PointAnswer>)>;
+  void when_committing(Committing deed) { committing_ = std::move(deed); }
+
   /// The direction of loading turns, see UnitCellPoints::turn() and
   /// set_force_floor() [N]. Continua need not know.
   void turn(double force_floor);
@@ -69,6 +77,7 @@ private:
   std::vector<PointEvent> events_;
   std::vector<std::vector<fem::Deformation>> trials_; ///< each of all points
   std::vector<PointAnswer> answers_;                  ///< to the last trial
+  Committing committing_;
 };
 } // namespace tamp::apps
 

@@ -57,6 +57,12 @@ void declare_output(ParameterTable &table)
                "Whose grains and force chains are written");
   table.integers("Grain points", "0", "Numbers of the chosen material points");
   table.integer("Grain interval", 5, 1, "Steps between grains on disk");
+  table.integer("Bias interval",
+                10,
+                0,
+                "Steps of a die after which a few unit cells are asked again, "
+                "driven more finely, and what their stress was off by goes to "
+                "the log and the summary; 0: never");
   table.quantity("Checkpoint interval",
                  "10 min",
                  dimension::time,
@@ -98,6 +104,8 @@ void read_output(const ParameterTable &table, OutputSettings &output)
   std::ranges::sort(output.grain_points);
   const auto repeated = std::ranges::unique(output.grain_points);
   output.grain_points.erase(repeated.begin(), repeated.end());
+  output.bias_interval =
+      static_cast<unsigned>(table.whole("Output/Bias interval"));
   output.checkpoint_interval = table.number("Output/Checkpoint interval");
   output.plot_formats = table.words("Output/Plot format");
 }

@@ -26,6 +26,7 @@ struct OutputSettings {
   std::vector<std::size_t> grain_points;
   std::vector<std::string> plot_formats; ///< "svg", "png", "pdf"
   double checkpoint_interval = 600;      ///< [s]; zero: at signals only
+  unsigned bias_interval = 10;           ///< steps; zero: never
 };
 
 /// All that an input file says, in SI.

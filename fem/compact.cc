@@ -205,6 +205,22 @@ void Compact::assemble_stiffness(SparseRows &stiffness) const
         cells_.begin + local, cell_points(local), stiffness);
 }
 
+double Compact::trial_work() const
+{
+  // Midpoint rule: its strain is blind to rotations.
+  double work = 0;
+  for (std::size_t i = 0; i < trial_.deformations.size(); ++i) {
+    const auto &F = trial_.deformations[i].relative_F;
+    const auto strain = dealii::symmetrize(2. * (F - unit_tensor()) *
+                                           dealii::invert(F + unit_tensor()));
+    work +=
+        0.25 * (committed_[i].volume + trial_.geometry[i].volume) *
+        ((state_.responses[i].stress + trial_.responses[i].stress) * strain);
+  }
+  ranks_.sum({&work, 1});
+  return work;
+}
+
 void Compact::accept()
 {
   points_.commit();

@@ -74,6 +74,9 @@ public:
 
   /// Forces of the trial, summed over the ranks [N].
   std::vector<double> internal_forces() const;
+  /// Work of the stress on the strain of the trial since the accepted state, of
+  /// the mesh's part of the compact [J].
+  double trial_work() const;
   /// Stiffness of the trial, this rank's part [N/m].
   void assemble_stiffness(SparseRows &stiffness) const;
   const Assembler &assembler() const { return assembler_; }

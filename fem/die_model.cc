@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <fem/density_range.h>
 #include <fem/die_model.h>
 #include <fem/equilibrium.h>
 #include <fem/field_output.h>
@@ -19,30 +20,6 @@ namespace
 /// A point's deformation in one step stays below this multiple of the largest
 /// step.
 constexpr double largest_concentration = 10;
-
-struct Densities {
-  double mean = 0, minimum = 0, maximum = 0;
-};
-
-Densities densities(const Compact &compact)
-{
-  const auto &responses = compact.state().responses;
-  double smallest = std::numeric_limits<double>::infinity(), largest = 0;
-  std::vector<double> sums{0, 0}; // mass, volume
-  for (std::size_t i = 0; i < responses.size(); ++i) {
-    const double density = responses[i].relative_density;
-    const double volume = compact.geometry()[i].volume;
-    sums[0] += density * volume;
-    sums[1] += volume;
-    smallest = std::min(smallest, density);
-    largest = std::max(largest, density);
-  }
-  compact.ranks().sum(sums);
-  return {sums[0] / sums[1],
-          -compact.ranks().largest(-smallest),
-          compact.ranks().largest(largest)};
-}
-
 } // namespace
 
 struct DieModel::Implementation {
@@ -157,7 +134,7 @@ struct DieModel::Implementation {
   {
     const ToolForces &forces = press.forces();
     const double whole = mesh.multiplicity();
-    const Densities density = densities(press.compact());
+    const DensityRange density = density_range(press.compact());
     const Extent now = extent(press.compact().state().positions);
     const auto &positions = press.compact().state().positions;
     state.top = edge_height(positions, upper_punch);
@@ -191,6 +168,7 @@ struct DieModel::Implementation {
     record.mean_relative_density = density.mean;
     record.minimum_relative_density = density.minimum;
     record.maximum_relative_density = density.maximum;
+    record.work = press.work();
   }
 
   /// First guess of the increment: the last one of the phase, scaled; a uniform

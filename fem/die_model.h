@@ -6,6 +6,7 @@
 #include <fem/material_points.h>
 #include <fem/mesh.h>
 #include <fem/ranks.h>
+#include <fem/work_account.h>
 
 #include <filesystem>
 #include <functional>
@@ -43,6 +44,7 @@ struct StepRecord {
   bool stagnated = false;         ///< out of balance, see Attempt
   std::size_t doubtful_points = 0;
   double stage_progress = 0; ///< 0 to 1
+  WorkAccount work;          ///< since the start
 };
 
 enum class FailureKind {

@@ -370,6 +370,11 @@ void Press::take_reactions()
 
 void Press::accept()
 {
+  work_ +=
+      increment_work(compact_,
+                     contact_,
+                     {compact_.state().positions, tools_, contact_.accepted()},
+                     {compact_.trial_positions(), trial_tools_, pair_forces_});
   compact_.accept();
   tools_ = trial_tools_;
   contact_.accept(pair_forces_, compact_.state().positions);

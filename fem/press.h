@@ -8,6 +8,7 @@
 #include <fem/state_bytes.h>
 #include <fem/tool_contact.h>
 #include <fem/tool_motion.h>
+#include <fem/work_account.h>
 
 #include <array>
 #include <span>
@@ -44,6 +45,8 @@ public:
   const ToolPositions &tools() const { return tools_; } ///< accepted
   /// Accepted forces of the tools, of the mesh's part of the compact.
   const ToolForces &forces() const { return forces_; }
+  /// Work of all accepted increments, of the whole compact.
+  const WorkAccount &work() const { return work_; }
 
   /// Begins an attempt at this motion: the first trial, with tangent and
   /// contact stiffness. @param increment  a guess, in which the motion of the
@@ -121,6 +124,7 @@ private:
   std::vector<char> free_;
   ToolPositions tools_{}, trial_tools_{};
   ToolForces forces_;
+  WorkAccount work_;
   std::vector<double> internal_;
   std::vector<PairForce> pair_forces_;
   double peak_reactions_ = 0;

@@ -95,6 +95,7 @@ void Press::each_part(Self &self, const Use &use)
 {
   use(self.tools_);
   use(self.forces_);
+  use(self.work_);
   use(self.peak_reactions_);
   use(self.times_);
 }

@@ -19,6 +19,7 @@ subsection Output
   set Grain interval = 4
   set Grain output   = chosen points
   set Grain points   = 0, 5
+  set Bias interval  = 2
 end
 END
 
@@ -52,7 +53,8 @@ for ranks in 2 4; do
   done < <(grep -E '/(fields|grains)/|\.pvd$|input\.prm' files_1.txt)
   # What is said of cells and steps, warnings included; rounding of time aside.
   for name in force_evaluations_per_cell worst_unbalance worst_hill_mandel \
-    points_too_narrow; do
+    points_too_narrow mean_cell_bias worst_cell_bias cell_bias_cost \
+    worst_stress_asymmetry; do
     grep -h "\"$name" ranks_1/run.json > expected.txt || fail "no $name"
     grep -h "\"$name" "ranks_$ranks/run.json" | cmp expected.txt - ||
       fail "$ranks ranks: another $name"

@@ -21,6 +21,7 @@ end
 subsection Output
   set Checkpoint interval = 1 us
   set Grain points        = 0, 5
+  set Bias interval       = 2
 end
 END_OF_INPUT
 cat > law.prm << 'END_OF_INPUT'

@@ -163,6 +163,18 @@ cells-die)
   warns 1
   once 'not quasi-static: the inertial number' 'above 0.001' 'point '
   counted points_not_quasi_static 4
+  # Balance that is sought more exactly than the cells answer.
+  run 'Cell/Unbalance tolerance = 3e-2' 'Solver/Force tolerance = 1e-4' \
+    'Output/Bias interval = 1'
+  warns 1
+  once 'Solver/Force tolerance = 0.0001' 'more than cells know' 'lower'
+  near "$(number said.txt 'change their stress by ')" \
+    "$(printf %.2g "$(number results/run.json '"mean_cell_bias\[-\]": ')")"
+  sound 'Cell/Unbalance tolerance = 3e-2' 'Solver/Force tolerance = 1e-2' \
+    'Output/Bias interval = 1'
+  sound 'Cell/Unbalance tolerance = 3e-2' 'Solver/Force tolerance = 1e-4' \
+    'Output/Bias interval = 0'
+  ! grep -q cell_bias results/run.json || fail "cells are sampled unasked"
   ;;
 *)
   fail "$about of $command"

@@ -85,6 +85,7 @@ TEST(CellDieBooks, WorkOfThePunchIsThatOfTheCellsAndOfWallFriction)
   CellBench bench(settings, test::different_cells(8), {});
   bench.press_by(1e-8); // the stress that the packings bring is balanced
   const double before = work_of_cells(bench);
+  const fem::WorkAccount start = bench.press.work();
   Work work;
   for (int step = 0; step < 25; ++step) {
     const Place from(bench.press);
@@ -98,6 +99,12 @@ TEST(CellDieBooks, WorkOfThePunchIsThatOfTheCellsAndOfWallFriction)
         work.cells + work.friction, work.punches, unbalance * work.punches);
   }
   EXPECT_GT(work.friction, 0.01 * work.punches);
+  // The books of the die itself say the same.
+  const fem::WorkAccount &booked = bench.press.work();
+  EXPECT_LT(booked.residual(), unbalance);
+  EXPECT_NEAR(booked.tools - start.tools, work.punches, 1e-12 * work.punches);
+  EXPECT_NEAR(booked.lost - start.lost, work.friction, 1e-6 * work.friction);
+  EXPECT_NEAR(booked.powder - start.powder, work.cells, unbalance * work.cells);
   std::cout << "work of the punch " << work.punches << " J, of the cells "
             << work.cells << " J, of friction " << work.friction
             << " J, left over "

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <coupling/bias_sampling.h>
 #include <coupling/checkpoint.h>
 #include <coupling/shared_cells.h>
 #include <fem/build_mesh.h>
@@ -191,6 +192,24 @@ TEST(ParallelCells, AreJudgedAndCopiedAsByOneRank)
     const TurnedCell copy = shared.cell(point), same = alone.cell(point);
     EXPECT_EQ(copy.cell, same.cell);
     EXPECT_EQ(copy.rotation, same.rotation);
+  }
+}
+
+TEST(ParallelCells, AreDrivenMoreFinelyAsByOneRank)
+{
+  SharedCells shared = share_cells(ranks_of_all()),
+              alone = share_cells(fem::Ranks());
+  const auto deformations = uneven();
+  std::vector<CellIncrement> increments;
+  for (const std::size_t point : {count - 1, std::size_t(0), std::size_t(6)})
+    increments.push_back({point, deformations[point], {}});
+  const auto found = answer_finely(shared, increments, {}, 1),
+             wanted = answer_finely(alone, increments, {}, 2);
+  ASSERT_EQ(found.size(), increments.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    EXPECT_TRUE(found[i].settled);
+    EXPECT_EQ(found[i].stress, wanted[i].stress);
+    EXPECT_EQ(found[i].evaluations, wanted[i].evaluations);
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
@@ -144,6 +145,31 @@ TEST(PairContact, SlidesAtCoulombsCap)
   EXPECT_NEAR(std::hypot(slides.rub.x, slides.rub.y), limit, 1e-12 * limit);
   EXPECT_TRUE(contact.slides());
   EXPECT_GT(contact.losses().friction, 0);
+}
+
+TEST(PairContact, ACycleOfItsNormalForceTakesAThirdOfThatTimesTheFriction)
+{
+  // T is taken down with the contact radius, N^(1/3) in elastic unloading, and
+  // not brought back: of T = f mu N, f mu / 3 of what N goes to and fro.
+  for (const NormalLaw law : {NormalLaw::hertz, NormalLaw::thornton_ning})
+    for (const double step : {-2e-10, 2e-10}) {
+      PairContact contact = contact_of(with(law));
+      contact.advance({1e-6});
+      const double rest = 0.98e-6, push = contact.advance({rest}).push.force;
+      const double stiffness =
+          8 * pair_material(granite, granite).effective_shear_modulus *
+          contact.contact_radius();
+      const double force = 0.5 * 0.3 * push;
+      contact.advance({rest, {force / stiffness, 0, 0}});
+      const double away = contact.advance({rest + step}).push.force;
+      const double left = contact.advance({rest}).rub.x;
+      const double ratio = std::min(away, push) / std::max(away, push);
+      EXPECT_NEAR(left, force * std::cbrt(ratio), 1e-12 * force); // rounding
+      const double to_and_fro = std::abs(away - push);
+      EXPECT_GT(to_and_fro, 1e-4 * push);
+      EXPECT_NEAR((force - left) / to_and_fro, 0.5 * 0.3 / 3, 1e-3);
+      EXPECT_FALSE(contact.slides());
+    }
 }
 
 /// Two grains of a cell on a wild ride, and what the sweep makes of it.

@@ -127,6 +127,49 @@ TEST(OneElement, EjectsAndSpringsBackAsTheClosedForm)
   }
 }
 
+TEST(OneElement, WorkOfAnEjectionIsWhatRubsLessWhatTheCompactReleases)
+{
+  // As above, with strains so small that their squares do not count.
+  constexpr double s = 1e4, mu = 0.1, strain = s / modulus;
+  constexpr double closes = 1e-8; // forces are balanced better than that
+  for (const double nu : {0., 0.3}) {
+    DieSettings settings = frictionless_die(1, 1);
+    settings.friction[die_wall] = FrictionCoefficient(mu);
+    settings.solver.force_tolerance = 1e-2; // as above
+    settings.solver.displacement_tolerance = 1e-11;
+    const double R = settings.geometry.radius,
+                 H = settings.geometry.fill_height, way = 1e-3;
+    DieBench bench(settings, elastic_law(modulus, nu, -s));
+    bench.move(-3e-3, -3e-3); // into the die
+    bench.move(2e-2, 0);      // the upper punch leaves
+    bench.move(way, way);     // friction turns
+    EXPECT_LT(bench.press.work().residual(), closes);
+    unsigned inside = 0, steps = 0;
+    while (bottom_of(bench.positions()) < H + 0.6 * H && ++steps < 20) {
+      const WorkAccount before = bench.press.work();
+      bench.move(way, way);
+      const WorkAccount &now = bench.press.work();
+      EXPECT_LT(now.residual(), closes);
+      if (top_of(bench.positions()) >= H)
+        continue;
+      ++inside; // where the wall bears mu s 2 pi R H, and more if nu > 0
+      const double by_axial = 2 * mu * H / R * nu / (1 - nu);
+      const double rubbed = mu * s * 2 * pi * R * H * way;
+      EXPECT_NEAR(
+          (now.tools - before.tools) / rubbed, 1, 3 * mu * strain + by_axial);
+      EXPECT_NEAR(
+          now.lost - before.lost, now.tools - before.tools, closes * now.tools);
+    }
+    EXPECT_GE(inside, 1u);
+    bench.move(0, 0);
+    // What was stored in the die: V s^2 (1 - nu) / E.
+    const double stored = pi * R * R * H * s * s * (1 - nu) / modulus;
+    const WorkAccount &work = bench.press.work();
+    EXPECT_NEAR(work.powder / stored, -1, strain);
+    EXPECT_NEAR(work.lost, work.tools + stored, closes * work.tools);
+  }
+}
+
 namespace
 {
 /// Friction of one element over half the normal force of the wall: the lower

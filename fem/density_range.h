@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef fem_density_range_h
+#define fem_density_range_h
+
+namespace tamp::fem
+{
+class Compact;
+
+/// Relative densities of a compact's points [-].
+struct DensityRange {
+  double mean = 0; ///< over the volume
+  double minimum = 0, maximum = 0;
+};
+
+/// Those of the accepted state. Collective.
+DensityRange density_range(const Compact &compact);
+} // namespace tamp::fem
+
+#endif
