@@ -2,6 +2,7 @@
 #include <apps/check_sections.h>
 #include <apps/commands.h>
 #include <apps/input_table.h>
+#include <apps/run_material.h>
 #include <fem/punch_area.h>
 
 #include <deal.II/base/mpi.h>
@@ -126,9 +127,8 @@ private:
     Workload work;
     work.points = points;
     work.threads = threads_;
-    work.packings = !input.material.packing_files.empty() ? 0
-                    : input.material.same_packing         ? 1
-                                                          : points;
+    if (input.material.packing_files.empty())
+      work.packings = different_packings(input.material, points);
     return work;
   }
 

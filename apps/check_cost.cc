@@ -14,6 +14,9 @@ namespace tamp::apps
 namespace
 {
 constexpr double states = 2; // committed and trial
+// Measured, of states that grow and shrink: what lies unused between them.
+constexpr double with_gaps = 1.1;
+constexpr double numbers_of_guess = 6; // dem::WarmGuess, a grain
 constexpr double most_of_memory = 0.8;
 
 double page()
@@ -38,6 +41,17 @@ double grains_ratio(const RunInput &input, const MaterialTrial &trial)
              ? 1
              : double(input.material.packing.grain_count) /
                    double(trial.grains);
+}
+
+// Of a material point: both states and, of a cell, the start of the next
+// trial [B]. Grains touch more of each other the denser they are; the trial
+// pressed them.
+double bytes_of_states(const RunInput &input, const MaterialTrial &trial)
+{
+  double bytes = states * trial.bytes;
+  if (trial.grains > 0 && input.material.warm)
+    bytes += numbers_of_guess * sizeof(double) * double(trial.grains);
+  return with_gaps * grains_ratio(input, trial) * bytes;
 }
 
 // What the finite elements keep for a material point [B].
@@ -161,15 +175,15 @@ void say_memory(CheckReport &report,
 {
   report.section("Memory");
   const double count = double(work.points);
-  const double state = trial.bytes * grains_ratio(input, trial);
+  const double state = bytes_of_states(input, trial);
   double all = program;
   report.line("program", megabytes(program));
   report.line(trial.grains > 0 ? "unit cells" : "material points",
               fmt::format("{} x {:.0f} bytes (committed and trial): {}",
                           work.points,
-                          states * state,
-                          megabytes(states * state * count)));
-  all += states * state * count;
+                          state,
+                          megabytes(state * count)));
+  all += state * count;
   if (with_die) {
     const double equations = bytes_of_equations(input);
     report.line("finite elements",

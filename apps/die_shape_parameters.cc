@@ -73,6 +73,14 @@ void declare_lengths(ParameterTable &table)
       positive,
       "Of the powder at the start, from edge to edge of the punches; "
       "the die's rim is there");
+  table.text(
+      "Initial density",
+      "",
+      "Relative density at the start where the die is filled unevenly: a "
+      "formula of x, y, z and r in m, for example 0.36 - 2*z + if(r < "
+      "0.002, 0.01, 0); a half section has x = r. Unit cells are packed "
+      "to it, at the pressure that this takes; empty: as Packing or the "
+      "law say");
   table.quantity("Exit taper angle",
                  "0 deg",
                  dimension::angle,

@@ -81,7 +81,10 @@ DieTrial try_die(const RunInput &input)
   const fem::Mesh &mesh = trial.own_mesh ? own : coarse;
   trial.unknowns = mesh.number_of_dofs();
   trial.points = mesh.number_of_points();
-  auto material = coupling::make_material(input.material, trial.points);
+  coupling::MaterialChoice choice = input.material;
+  if (!trial.own_mesh)
+    choice.densities.clear();
+  auto material = coupling::make_material(choice, trial.points);
   fem::DieModel model(settings, mesh, *material.points);
   run(model, trial);
   return trial;

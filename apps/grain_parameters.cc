@@ -155,6 +155,12 @@ void declare_packing(ParameterTable &table)
   table.flag("Same at all points",
              false,
              "All material points start from the same packing");
+  table.integer(
+      "Different packings",
+      0,
+      0,
+      "Of a die, which its points take in turn, in the order of their "
+      "numbers; 0: one for each point, or all of a folder");
   table.integer("Sample",
                 0,
                 0,
@@ -353,7 +359,14 @@ void read_grains(const ParameterTable &table,
       table.number("Packing/Friction during packing");
 
   material.packing_files = read_files(table);
-  material.same_packing = table.on("Packing/Same at all points");
+  material.packings =
+      static_cast<std::size_t>(table.whole("Packing/Different packings"));
+  if (table.on("Packing/Same at all points")) {
+    if (material.packings > 1)
+      table.complain("Packing/Different packings",
+                     "it needs Packing/Same at all points = false");
+    material.packings = 1;
+  }
   material.first_packing =
       static_cast<std::size_t>(table.whole("Packing/Sample"));
 

@@ -93,8 +93,9 @@ private:
     if (request.friction_during_packing >= 0)
       request.contact.friction_coefficient = request.friction_during_packing;
     const std::lock_guard lock(turn_);
-    auto found = coupling::read_packings(
-        choice_.packing_files, request, 1, choice_.first_packing + i);
+    const std::size_t number = choice_.first_packing + i;
+    auto found =
+        coupling::read_packings(choice_.packing_files, request, {&number, 1});
     history_ = std::max(history_, found.history);
     return std::move(found.cells[0]);
   }

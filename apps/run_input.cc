@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <apps/density_field.h>
 #include <apps/input_sections.h>
 #include <apps/parameter_table.h>
 #include <apps/run_input.h>
@@ -178,7 +179,9 @@ std::optional<double> start_density(const coupling::MaterialChoice &material)
 
 void check_start(const ParameterTable &table, const RunInput &input)
 {
-  const std::optional<double> density = start_density(input.material);
+  std::optional<double> density = start_density(input.material);
+  if (!input.material.densities.empty())
+    density = std::ranges::max(input.material.densities);
   if (!density)
     return;
   try {
@@ -186,6 +189,35 @@ void check_start(const ParameterTable &table, const RunInput &input)
   } catch (const std::invalid_argument &error) {
     table.complain("Schedule/Stages", error.what());
   }
+}
+
+void read_densities(const ParameterTable &table, RunInput &input)
+{
+  coupling::MaterialChoice &material = input.material;
+  material.densities = read_density_field(table, input.mesh.mesh);
+  if (material.densities.empty())
+    return;
+  const std::string path = "Die/Initial density";
+  if (material.kind == coupling::MaterialKind::modified_cam_clay)
+    table.complain(path,
+                   "the state of modified Cam-Clay does not follow from its "
+                   "density; expected another material");
+  if (material.kind != coupling::MaterialKind::unit_cell)
+    return;
+  if (!material.packing_files.empty() || material.packings > 0)
+    table.complain(
+        path,
+        "every point needs a packing of its own: neither files, nor "
+        "Packing/Same at all points, nor Packing/Different packings");
+  dem::PackingRequest request = material.packing;
+  request.goal.target = dem::CompressionTarget::relative_density;
+  for (const double density : material.densities)
+    try {
+      request.goal.relative_density = density;
+      request.check();
+    } catch (const std::invalid_argument &error) {
+      table.complain(path, error.what());
+    }
 }
 
 void check_grain_points(const ParameterTable &table,
@@ -234,9 +266,12 @@ RunInput read_input(const ParameterTable &table, Need need)
     check_packing(table, input.material);
   if (everything || need == Need::probe)
     read_path(table, input);
-  if (everything || need == Need::die) {
+  // A point of a die that is filled unevenly needs its place.
+  const bool uneven = !table.word("Die/Initial density").empty();
+  if (everything || need == Need::die || (need == Need::point && uneven)) {
     read_die_shape(table, input.die);
     input.mesh = read_press(table, input.material.kind, input.die);
+    read_densities(table, input);
     check_start(table, input);
     check_grain_points(table, input, input.mesh.mesh.number_of_points());
   }

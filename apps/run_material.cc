@@ -3,6 +3,7 @@
 #include <coupling/whole_file.h>
 #include <fem/laws/cap_remarks.h>
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <stdexcept>
 
@@ -35,6 +36,17 @@ void warn_of_contact_model(RunSession &session)
     session.warn(doubt);
 }
 
+std::size_t different_packings(const coupling::MaterialChoice &choice,
+                               std::size_t points)
+{
+  std::size_t different = points;
+  if (choice.packings > 0)
+    different = std::min(different, choice.packings);
+  if (!choice.packing_files.empty())
+    different = std::min(different, choice.packing_files.size());
+  return different;
+}
+
 std::string packing_title(const coupling::MaterialChoice &choice,
                           std::size_t count)
 {
@@ -45,7 +57,8 @@ std::string packing_title(const coupling::MaterialChoice &choice,
       "packing {} x {} grains to {}",
       count,
       choice.packing.grain_count,
-      goal.target == dem::CompressionTarget::pressure
+      !choice.densities.empty() ? "their initial densities"
+      : goal.target == dem::CompressionTarget::pressure
           ? fmt::format("{:.4g} MPa", goal.pressure / 1e6)
           : fmt::format("a relative density of {:.4g}", goal.relative_density));
 }
@@ -76,13 +89,14 @@ prepare_material(RunSession &session, const fem::Share &points, std::size_t all)
 {
   coupling::MaterialChoice choice = session.input().material;
   choice.first_point = points.begin;
-  choice.same_packing = choice.same_packing || session.resumes();
+  if (session.resumes())
+    choice.packings = 1;
   RunLog &log = session.log();
   const bool cells = choice.kind == coupling::MaterialKind::unit_cell;
   warn_of_law(session);
   if (cells) {
     warn_of_contact_model(session);
-    log.begin(packing_title(choice, choice.same_packing ? 1 : all));
+    log.begin(packing_title(choice, different_packings(choice, all)));
   }
   try {
     auto material =

@@ -25,6 +25,10 @@ coupling::Material prepare_material(RunSession &session,
                                     const fem::Share &points,
                                     std::size_t all);
 
+/// How many different packings the points of a run need.
+std::size_t different_packings(const coupling::MaterialChoice &choice,
+                               std::size_t points);
+
 /// "packing 3 x 1000 grains to 0.1 MPa", for the title of that work.
 std::string packing_title(const coupling::MaterialChoice &choice,
                           std::size_t count);

@@ -6,6 +6,7 @@
 #include <fem/laws/drucker_prager_cap.h>
 #include <fem/laws/elastic.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -48,53 +49,68 @@ DensityTable hardening(const CapChoice &choice)
                       DensityTable::Above::extend);
 }
 
-template <class Law>
-Material make_points(const Law &law, std::size_t count)
+// Points of a law of these parameters, each at its own density.
+template <class Law, class Parameters>
+Material make_points(const MaterialChoice &choice,
+                     Parameters parameters,
+                     std::size_t count)
 {
-  return {std::make_unique<fem::ContinuumPoints<Law>>(law, count), nullptr};
+  const Law law(parameters);
+  std::vector<typename Law::State> states(count, law.initial_state());
+  if (!choice.densities.empty())
+    for (std::size_t i = 0; i < count; ++i) {
+      parameters.initial_relative_density =
+          choice.densities.at(choice.first_point + i);
+      states[i] = Law(parameters).initial_state();
+    }
+  return {std::make_unique<fem::ContinuumPoints<Law>>(law, std::move(states)),
+          nullptr};
 }
 
-Material make_elastic(const ElasticChoice &choice, std::size_t count)
+fem::ElasticParameters elastic_parameters(const ElasticChoice &choice)
 {
   fem::ElasticParameters parameters;
   parameters.elasticity = elasticity(choice.elasticity);
   parameters.initial_relative_density = choice.initial_relative_density;
-  return make_points(fem::Elastic(parameters), count);
+  return parameters;
 }
 
-Material make_cap(const CapChoice &choice, std::size_t count)
+// Numbers of the packings of these points, each once: further points take them
+// in turn.
+std::vector<std::size_t> packing_numbers(const MaterialChoice &choice,
+                                         std::size_t count)
 {
-  return make_points(fem::DruckerPragerCap(cap_parameters(choice)), count);
-}
-
-// Of the run's packings, that of the first point to be made.
-std::size_t first_packing(const MaterialChoice &choice)
-{
-  return choice.first_packing + (choice.same_packing ? 0 : choice.first_point);
+  std::size_t different = choice.packings;
+  if (const std::size_t files = choice.packing_files.size(); files > 0)
+    different = different > 0 ? std::min(different, files) : files;
+  std::vector<std::size_t> numbers(different > 0 ? std::min(count, different)
+                                                 : count);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const std::size_t point = choice.first_point + i;
+    numbers[i] =
+        choice.first_packing + (different > 0 ? point % different : point);
+  }
+  return numbers;
 }
 
 StoredPackings find_packings(const MaterialChoice &choice,
                              std::size_t count,
                              const std::function<void(std::size_t)> &progress)
 {
-  if (choice.packing_files.empty()) {
-    choice.packing.check();
-    return {make_packings(choice.packing,
-                          count,
-                          choice.same_packing,
-                          choice.threads,
-                          progress,
-                          first_packing(choice)),
-            History::kept};
+  const std::vector<std::size_t> numbers = packing_numbers(choice, count);
+  if (!choice.packing_files.empty())
+    return read_packings(choice.packing_files, choice.packing, numbers);
+  choice.packing.check();
+  std::vector<dem::PackingRequest> samples;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    samples.push_back(sample_of(choice.packing, numbers[i]));
+    if (choice.densities.empty())
+      continue;
+    dem::CompressionGoal &goal = samples.back().goal;
+    goal.target = dem::CompressionTarget::relative_density;
+    goal.relative_density = choice.densities.at(choice.first_point + i);
   }
-  return read_packings(
-      choice.same_packing
-          ? std::vector{choice.packing_files[choice.first_packing %
-                                             choice.packing_files.size()]}
-          : choice.packing_files,
-      choice.packing,
-      count,
-      first_packing(choice));
+  return {make_packings(samples, choice.threads, progress), History::kept};
 }
 
 Material make_cells(const MaterialChoice &choice,
@@ -108,8 +124,11 @@ Material make_cells(const MaterialChoice &choice,
   options.warm = choice.warm;
   options.first_point = choice.first_point;
   StoredPackings packings = find_packings(choice, count, progress);
-  auto points =
-      std::make_unique<UnitCellPoints>(std::move(packings.cells), options);
+  std::vector<std::size_t> cell_of(count);
+  for (std::size_t i = 0; i < count; ++i)
+    cell_of[i] = i % packings.cells.size();
+  auto points = std::make_unique<UnitCellPoints>(
+      std::move(packings.cells), std::move(cell_of), options);
   Material material;
   material.cells = points.get();
   material.points = std::move(points);
@@ -145,13 +164,20 @@ Material make_material(const MaterialChoice &choice,
   case MaterialKind::unit_cell:
     return make_cells(choice, count, progress);
   case MaterialKind::elastic:
-    return make_elastic(choice.elastic, count);
+    return make_points<fem::Elastic>(
+        choice, elastic_parameters(choice.elastic), count);
   case MaterialKind::drucker_prager_cap:
-    return make_cap(choice.cap, count);
+    return make_points<fem::DruckerPragerCap>(
+        choice, cap_parameters(choice.cap), count);
   case MaterialKind::modified_cam_clay:
-    return make_points(fem::ModifiedCamClay(choice.cam_clay), count);
+    if (!choice.densities.empty())
+      throw std::invalid_argument(
+          "initial densities of points need a material whose state follows "
+          "from "
+          "its density, which that of modified Cam-Clay does not");
+    return make_points<fem::ModifiedCamClay>(choice, choice.cam_clay, count);
   case MaterialKind::fkm_gurson:
-    return make_points(fem::FkmGurson(choice.fkm_gurson), count);
+    return make_points<fem::FkmGurson>(choice, choice.fkm_gurson, count);
   }
   throw std::invalid_argument("unknown kind of material");
 }

@@ -69,11 +69,17 @@ fem::DruckerPragerCapParameters cap_parameters(const CapChoice &choice);
 struct MaterialChoice {
   MaterialKind kind = MaterialKind::unit_cell;
   dem::PackingRequest packing; ///< its seed is that of the run
-  /// Stored packings that points take in turn; empty: `packing` is made.
+  /// Stored packings; empty: `packing` is made.
   std::vector<std::filesystem::path> packing_files;
-  bool same_packing = false;     ///< all points start from the first packing
+  /// Different packings, which points take in turn; 0: all stored ones, or
+  /// one for each point.
+  std::size_t packings = 0;
   std::size_t first_packing = 0; ///< of the run's packings, that of point 0
   std::size_t first_point = 0;   ///< number in the run of the first to be made
+  /// Relative density at the start of each point of the run; empty: that of the
+  /// law, or as packed. A cell is then packed to that density, at the pressure
+  /// that this takes.
+  std::vector<double> densities;
   dem::Driving driving;
   bool warm = true; ///< see CellPointsOptions
   unsigned threads = 1;

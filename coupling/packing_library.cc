@@ -12,27 +12,22 @@
 namespace tamp::coupling
 {
 std::vector<dem::UnitCell>
-make_packings(const dem::PackingRequest &request,
-              std::size_t count,
-              bool same,
+make_packings(std::span<const dem::PackingRequest> requests,
               unsigned threads,
-              const std::function<void(std::size_t)> &made,
-              std::size_t first)
+              const std::function<void(std::size_t)> &made)
 {
-  std::vector<dem::UnitCell> cells(same && count > 0 ? 1 : count);
+  std::vector<dem::UnitCell> cells(requests.size());
   std::vector<std::size_t> order(cells.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::mutex reporting;
   std::size_t done = 0;
   share_work(order, threads, [&](std::size_t i) {
-    cells[i] = dem::make_packing(sample_of(request, first + i));
+    cells[i] = dem::make_packing(requests[i]);
     const std::lock_guard lock(reporting);
     ++done;
     if (made)
       made(done);
   });
-  if (same && count > 0)
-    cells.resize(count, cells[0]);
   return cells;
 }
 
@@ -54,17 +49,12 @@ std::vector<dem::GrainMaterial> materials_of(const dem::PackingRequest &request)
 
 StoredPackings read_packings(const std::vector<std::filesystem::path> &files,
                              const dem::PackingRequest &request,
-                             std::size_t count,
-                             std::size_t first)
+                             std::span<const std::size_t> numbers)
 {
   StoredPackings stored;
   const auto materials = materials_of(request);
-  for (std::size_t i = 0; i < count; ++i) {
-    if (i >= files.size()) { // the files again
-      stored.cells.push_back(stored.cells[i - files.size()]);
-      continue;
-    }
-    const auto &file = files[(first + i) % files.size()];
+  for (const std::size_t number : numbers) {
+    const auto &file = files[number % files.size()];
     stored.cells.push_back(read_packing(file));
     try {
       stored.history = std::max(

@@ -9,26 +9,22 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <vector>
 
 namespace tamp::coupling
 {
-/// A packing for each of `count` points. Point i gets the seed
-/// dem::seed_of(request.seed, first + i), so a packing depends on the run's
-/// seed and its number only; or all points share the first packing if `same` is
-/// set.
+/// A packing for each of the requests, see sample_of().
 /// @param made  called after each packing with the number done so far, from any
 ///              thread, never from two at once. May be empty.
 std::vector<dem::UnitCell>
-make_packings(const dem::PackingRequest &request,
-              std::size_t count,
-              bool same,
+make_packings(std::span<const dem::PackingRequest> requests,
               unsigned threads,
-              const std::function<void(std::size_t)> &made = {},
-              std::size_t first = 0);
+              const std::function<void(std::size_t)> &made = {});
 
-/// The request of a run's packing number `number`: with the seed of that
-/// number.
+/// The request of a run's packing number `number`: with the seed
+/// dem::seed_of(request.seed, number), so that a packing depends on the run's
+/// seed and its number only.
 dem::PackingRequest sample_of(const dem::PackingRequest &request,
                               std::size_t number);
 
@@ -36,19 +32,19 @@ dem::PackingRequest sample_of(const dem::PackingRequest &request,
 std::vector<dem::GrainMaterial>
 materials_of(const dem::PackingRequest &request);
 
-/// Stored packings for `count` points.
+/// Stored packings.
 struct StoredPackings {
   std::vector<dem::UnitCell> cells;
   History history = History::kept; ///< of the packing that lost most
 };
 
-/// Reads `files`, which points take in turn: point i the file number first + i,
-/// and puts them under the request's materials and contact model. Throws as
-/// read_packing() and adopt_packing() do, naming the file.
+/// Reads the run's packings with these numbers, number i from the file number
+/// i, or i modulo their number if there are fewer; and puts them under the
+/// request's materials and contact model. Throws as read_packing() and
+/// adopt_packing() do, naming the file.
 StoredPackings read_packings(const std::vector<std::filesystem::path> &files,
                              const dem::PackingRequest &request,
-                             std::size_t count,
-                             std::size_t first = 0);
+                             std::span<const std::size_t> numbers);
 } // namespace tamp::coupling
 
 #endif

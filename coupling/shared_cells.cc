@@ -80,13 +80,17 @@ SharedCells::SharedCells(UnitCellPoints *own,
 CellReport SharedCells::report() const
 {
   CellReport report = cells_.report();
-  report.cells = size();
+  report.points = size();
   // Sums of whole numbers are exact as long as they are below 2^53.
   double sums[] = {static_cast<double>(report.evaluations),
-                   static_cast<double>(report.unsettled)};
+                   static_cast<double>(report.unsettled),
+                   static_cast<double>(report.done_evaluations),
+                   static_cast<double>(report.cells)};
   ranks().sum(sums);
   report.evaluations = static_cast<std::uint64_t>(sums[0]);
   report.unsettled = static_cast<std::size_t>(sums[1]);
+  report.done_evaluations = static_cast<std::uint64_t>(sums[2]);
+  report.cells = static_cast<std::size_t>(sums[3]);
   const double worst = ranks().largest(report.worst_unbalance);
   // The first of the worst.
   const auto after = static_cast<double>(size());

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -21,18 +22,22 @@ namespace
 // A secant outside these bounds is noise. Measured: steps then converge in the
 // fewest updates.
 constexpr double smallest_secant = 0.2, largest_secant = 1.2;
+
+std::vector<std::size_t> numbers(std::size_t count)
+{
+  std::vector<std::size_t> all(count);
+  std::iota(all.begin(), all.end(), std::size_t(0));
+  return all;
+}
 } // namespace
 
-/// One material point: the committed state, then the trial's.
+/// What is a material point's own besides its cell: committed, then the
+/// trial's.
 struct UnitCellPoints::Point {
-  dem::UnitCell committed;
   dem::Matrix3 rotation = dem::Matrix3::Identity(); ///< cell to die
   dem::Matrix3 stress = dem::Matrix3::Zero();       ///< in the die's frame [Pa]
   double secant = 1; ///< of the last committed step, over Voigt [-]
-  dem::WarmGuess guess;
-  double cost = 0; ///< of the last evaluation
 
-  dem::UnitCell trial;
   dem::Matrix3 trial_rotation = dem::Matrix3::Identity();
   dem::Matrix3 trial_stress = dem::Matrix3::Zero();
   dem::Matrix3 carried_stress =
@@ -40,10 +45,8 @@ struct UnitCellPoints::Point {
   dem::Matrix3 log_stretch =
       dem::Matrix3::Zero(); ///< of the trial, in the die's frame [-]
   Tangent4 voigt;           ///< of the last trial that was asked for it
-  bool has_voigt = false, has_trial = false;
-  dem::CellAnswer answer;
+  bool has_voigt = false;
   double asymmetry = 0;
-  std::string problem; ///< why the last trial failed; empty: it did not
 
   void adopt();
 };
@@ -59,23 +62,28 @@ void UnitCellPoints::Point::adopt()
       secant =
           std::clamp(gain * strain / stiff, smallest_secant, largest_secant);
   }
-  std::swap(committed, trial);
   rotation = trial_rotation;
   stress = trial_stress;
-  guess.clear();
-  has_voigt = has_trial = false;
+  has_voigt = false;
+}
+UnitCellPoints::UnitCellPoints(std::vector<dem::UnitCell> cells,
+                               std::vector<std::size_t> cell_of,
+                               const CellPointsOptions &options)
+    : options_(options), cells_(std::move(cells), std::move(cell_of))
+{
+  options_.driving.check();
+  points_.resize(cells_.points());
+  for (std::size_t i = 0; i < size(); ++i) {
+    const std::size_t first = cells_.of(i).first_point;
+    points_[i].stress =
+        first == i ? dem::measure(cell(i)).stress : points_[first].stress;
+  }
 }
 
 UnitCellPoints::UnitCellPoints(std::vector<dem::UnitCell> cells,
                                const CellPointsOptions &options)
-    : options_(options)
+    : UnitCellPoints(std::move(cells), numbers(cells.size()), options)
 {
-  options_.driving.check();
-  points_.resize(cells.size());
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    points_[i].committed = std::move(cells[i]);
-    points_[i].stress = dem::measure(points_[i].committed).stress;
-  }
 }
 
 UnitCellPoints::~UnitCellPoints() = default;
@@ -87,8 +95,7 @@ std::size_t UnitCellPoints::size() const
 
 void UnitCellPoints::begin_attempt()
 {
-  for (Point &point : points_)
-    point.guess.clear();
+  cells_.rejoin();
   // What was evaluated before the first attempt is no part of the step.
   if (!attempted_)
     step_begins_ = true;
@@ -101,115 +108,130 @@ void UnitCellPoints::evaluate(std::span<const fem::Deformation> deformations,
 {
   if (deformations.size() != size() || responses.size() != size())
     throw std::invalid_argument("one deformation and one response per point");
-  std::vector<std::size_t> order(size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
-    return points_[a].cost > points_[b].cost;
+  if (unpacked_)
+    cells_.join_equal();
+  unpacked_ = false;
+  std::vector<std::size_t> all = numbers(size());
+  std::vector<dem::Stretch> stretches(size());
+  share_work(all, options_.threads, [&](std::size_t i) {
+    stretches[i] = split(points_[i], deformations[i]);
   });
-  share_work(order, options_.threads, [&](std::size_t i) {
-    Point &point = points_[i];
-    point.problem.clear();
-    point.answer = {};
-    point.asymmetry = 0;
-    try {
-      evaluate_point(point, deformations[i], want, responses[i]);
-    } catch (const std::exception &error) { // no such state of the cell
-      point.problem = error.what();
-      point.guess.clear();
-      point.has_trial = false;
-      responses[i].status = fem::Status::failed;
-    }
+  cells_.part(stretches);
+  press(stretches, want);
+  share_work(all, options_.threads, [&](std::size_t i) {
+    respond(points_[i], cells_.of(i), responses[i]);
   });
   summarise(responses);
 }
 
-void UnitCellPoints::evaluate_point(Point &point,
-                                    const fem::Deformation &deformation,
-                                    fem::Want want,
-                                    fem::Response &response) const
+dem::Stretch UnitCellPoints::split(Point &point,
+                                   const fem::Deformation &deformation) const
 {
-  const PolarSplit split = polar_split(to_matrix(deformation.relative_F));
-  const dem::Matrix3 &Q = point.rotation;
-  dem::Stretch stretch = Q.transpose() * split.stretch * Q;
-  stretch = (0.5 * (stretch + stretch.transpose())).eval();
+  try {
+    const PolarSplit split = polar_split(to_matrix(deformation.relative_F));
+    const dem::Matrix3 &Q = point.rotation;
+    const dem::Stretch stretch = Q.transpose() * split.stretch * Q;
+    point.trial_rotation = split.rotation * Q;
+    point.carried_stress =
+        split.rotation * point.stress * split.rotation.transpose();
+    point.log_stretch = split.rotation * dem::logarithm(split.stretch) *
+                        split.rotation.transpose();
+    return 0.5 * (stretch + stretch.transpose());
+  } catch (const std::domain_error &) {
+    return dem::Stretch::Constant(std::numeric_limits<double>::quiet_NaN());
+  }
+}
 
-  point.trial = point.committed;
-  point.answer = dem::deform(point.trial,
-                             stretch,
-                             options_.driving,
-                             options_.warm ? &point.guess : nullptr);
-  point.cost = static_cast<double>(point.answer.evaluations) *
-               static_cast<double>(point.trial.radius.size());
-  point.has_trial = true;
-  point.trial_rotation = split.rotation * Q;
-  const dem::Matrix3 &turn = point.trial_rotation;
-  const dem::Matrix3 &raw = point.answer.stress;
+void UnitCellPoints::press(std::span<const dem::Stretch> stretches,
+                           fem::Want want)
+{
+  const std::span<CommonCell> cells = cells_.cells();
+  std::vector<std::size_t> order = numbers(cells.size());
+  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {
+    return cells[a].cost > cells[b].cost;
+  });
+  share_work(order, options_.threads, [&](std::size_t k) {
+    cells[k].press(stretches[cells[k].first_point],
+                   options_.driving,
+                   options_.warm,
+                   want == fem::Want::stress_and_tangent);
+  });
+}
+
+void UnitCellPoints::respond(Point &point,
+                             const CommonCell &cell,
+                             fem::Response &response) const
+{
+  if (!cell.has_trial) {
+    point.asymmetry = 0;
+    response.status = fem::Status::failed;
+    return;
+  }
+  const dem::Matrix3 &turn = point.trial_rotation, &raw = cell.answer.stress;
   const dem::Matrix3 symmetric = 0.5 * (raw + raw.transpose());
   point.asymmetry =
       raw.norm() > 0 ? (raw - symmetric).norm() / raw.norm() : 0.0;
   point.trial_stress = turn * symmetric * turn.transpose();
-  point.carried_stress =
-      split.rotation * point.stress * split.rotation.transpose();
-  point.log_stretch = split.rotation * dem::logarithm(split.stretch) *
-                      split.rotation.transpose();
-
   response.stress = to_tensor(point.trial_stress);
-  response.relative_density = point.trial.relative_density();
+  response.relative_density = cell.trial.relative_density();
   response.status =
-      point.answer.outcome == dem::Outcome::settled     ? fem::Status::converged
-      : point.answer.outcome == dem::Outcome::unsettled ? fem::Status::doubtful
-                                                        : fem::Status::failed;
-  if (point.answer.outcome == dem::Outcome::diverged)
-    point.problem = "the grains of the cell flew apart or were crushed";
-  if (want == fem::Want::stress_and_tangent &&
-      point.answer.outcome != dem::Outcome::diverged) {
-    point.voigt = turned(to_tangent(dem::voigt_tangent(point.trial)), turn);
+      cell.answer.outcome == dem::Outcome::settled     ? fem::Status::converged
+      : cell.answer.outcome == dem::Outcome::unsettled ? fem::Status::doubtful
+                                                       : fem::Status::failed;
+  if (cell.voigt) {
+    point.voigt = turned(to_tangent(*cell.voigt), turn);
     point.has_voigt = true;
     response.tangent = point.secant * point.voigt;
   }
 }
 
-void UnitCellPoints::summarise(std::span<fem::Response> responses)
+void UnitCellPoints::summarise(std::span<const fem::Response> responses)
 {
-  const std::uint64_t so_far = step_begins_ ? 0 : report_.evaluations;
+  const CellReport before = step_begins_ ? CellReport() : report_;
   report_ = {};
-  report_.evaluations = so_far;
-  report_.cells = size();
+  report_.evaluations = before.evaluations;
+  report_.done_evaluations = before.done_evaluations;
+  report_.points = size();
+  report_.cells = cells_.cells().size();
   step_begins_ = false;
+  for (const CommonCell &cell : cells_.cells())
+    report_.done_evaluations += cell.answer.evaluations;
   for (std::size_t i = 0; i < size(); ++i) {
-    const Point &point = points_[i];
+    const CommonCell &cell = cells_.of(i);
     const std::size_t number = options_.first_point + i;
-    report_.evaluations += point.answer.evaluations;
-    if (point.answer.unbalance > report_.worst_unbalance) {
-      report_.worst_unbalance = point.answer.unbalance;
+    report_.evaluations += cell.answer.evaluations;
+    if (cell.answer.unbalance > report_.worst_unbalance) {
+      report_.worst_unbalance = cell.answer.unbalance;
       report_.worst_unbalance_point = number;
     }
     report_.worst_hill_mandel =
-        std::max(report_.worst_hill_mandel, point.answer.hill_mandel);
+        std::max(report_.worst_hill_mandel, cell.answer.hill_mandel);
     report_.worst_asymmetry =
-        std::max(report_.worst_asymmetry, point.asymmetry);
-    if (report_.problem.empty() && !point.problem.empty())
+        std::max(report_.worst_asymmetry, points_[i].asymmetry);
+    if (report_.problem.empty() && !cell.problem.empty())
       report_.problem =
-          "material point " + std::to_string(number) + ": " + point.problem;
+          "material point " + std::to_string(number) + ": " + cell.problem;
     report_.unsettled += responses[i].status == fem::Status::doubtful;
   }
 }
 
 void UnitCellPoints::commit()
 {
-  for (Point &point : points_)
-    if (point.has_trial)
-      point.adopt();
+  for (std::size_t i = 0; i < size(); ++i)
+    if (cells_.of(i).has_trial)
+      points_[i].adopt();
+  cells_.commit();
   step_begins_ = true;
   attempted_ = false;
 }
 
 void UnitCellPoints::turn()
 {
-  for (Point &point : points_) {
-    point.guess.clear();
+  for (Point &point : points_)
     point.secant = 1;
-    point.committed.last = {};
+  for (CommonCell &cell : cells_.cells()) {
+    cell.guess.clear();
+    cell.committed.last = {};
   }
 }
 
@@ -228,7 +250,7 @@ void UnitCellPoints::pack(std::size_t i, std::vector<char> &bytes) const
   append(point.rotation);
   append(point.stress);
   append(point.secant);
-  dem::to_bytes(point.committed, bytes);
+  dem::to_bytes(cell(i), bytes);
 }
 
 void UnitCellPoints::unpack(std::size_t i, std::span<const char> bytes)
@@ -243,13 +265,16 @@ void UnitCellPoints::unpack(std::size_t i, std::span<const char> bytes)
   take(fresh.rotation);
   take(fresh.stress);
   take(fresh.secant);
-  fresh.committed = dem::from_bytes(bytes);
-  points_.at(i) = std::move(fresh);
+  dem::UnitCell cell = dem::from_bytes(bytes);
+  points_.at(i) = fresh;
+  cells_.put(i, std::move(cell));
+  unpacked_ = true;
 }
 
 double UnitCellPoints::cost(std::size_t i) const
 {
-  return points_.at(i).cost;
+  const CommonCell &cell = cells_.of(i);
+  return cell.first_point == i ? cell.cost : 0;
 }
 
 std::vector<fem::Variable> UnitCellPoints::variables() const
@@ -287,8 +312,11 @@ void UnitCellPoints::hold(const fem::Share &share)
   std::vector<Point> points(share.size());
   for (std::size_t i = share.begin; i < share.end; ++i)
     if (old.holds(i))
-      points[i - share.begin] = std::move(points_[i - old.begin]);
+      points[i - share.begin] = points_[i - old.begin];
   points_ = std::move(points);
+  cells_.hold(static_cast<std::ptrdiff_t>(share.begin) -
+                  static_cast<std::ptrdiff_t>(old.begin),
+              share.size());
   options_.first_point = share.begin;
 }
 
@@ -299,7 +327,7 @@ const CellReport &UnitCellPoints::report() const
 
 const dem::UnitCell &UnitCellPoints::cell(std::size_t i) const
 {
-  return points_.at(i).committed;
+  return cells_.of(i).committed;
 }
 
 dem::Matrix3 UnitCellPoints::rotation(std::size_t i) const

@@ -2,6 +2,7 @@
 #ifndef coupling_unit_cell_points_h
 #define coupling_unit_cell_points_h
 
+#include <coupling/common_cells.h>
 #include <dem/deform.h>
 #include <dem/unit_cell.h>
 #include <fem/movable_points.h>
@@ -9,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -17,8 +19,11 @@ namespace tamp::coupling
 /// What the step since the last commit() cost, and how good the answers of the
 /// last evaluate() are. Stays readable after commit().
 struct CellReport {
-  std::uint64_t evaluations = 0; ///< of forces, all cells, whole step
-  std::size_t cells = 0;
+  /// Of forces, whole step: what the cell of each point took, for all points.
+  std::uint64_t evaluations = 0;
+  /// The same for all cells: those of a cell that points share count once.
+  std::uint64_t done_evaluations = 0;
+  std::size_t points = 0, cells = 0;
   double worst_unbalance = 0; ///< largest unbalance of a cell [-]
   std::size_t worst_unbalance_point = 0;
   double worst_hill_mandel = 0; ///< largest residual of a cell [-]
@@ -26,11 +31,11 @@ struct CellReport {
   std::size_t unsettled = 0;    ///< cells that ran into the cap
   std::string problem;          ///< of the first point that failed
 
-  /// Force evaluations per cell in the whole step.
+  /// Force evaluations of the cell of a point in the whole step.
   double mean_evaluations() const
   {
     return static_cast<double>(evaluations) /
-           static_cast<double>(cells > 0 ? cells : 1);
+           static_cast<double>(points > 0 ? points : 1);
   }
 };
 
@@ -45,15 +50,21 @@ struct CellPointsOptions {
   std::size_t first_point = 0;
 };
 
-/// Grains as material points: each point owns a committed and a trial unit
-/// cell. Rotation is split off and costs no sweep: with F = R U the cell, in
-/// its own frame Q, feels Q^T U Q, and the stress is turned back by R Q. The
-/// tangent is the Voigt contact tangent times the secant of the last committed
-/// step. The answer of a point depends on its own history only, not on threads.
+/// Grains as material points: each point has a committed and a trial unit cell,
+/// in common with the points of the same history, if there are any. Rotation is
+/// split off and costs no sweep: with F = R U the cell, in its own frame Q,
+/// feels Q^T U Q, and the stress is turned back by R Q. The tangent is the
+/// Voigt contact tangent times the secant of the last committed step. The
+/// answer of a point depends on its own history only, not on threads.
 class UnitCellPoints final : public fem::MovablePoints
 {
 public:
+  /// A cell for each point.
   UnitCellPoints(std::vector<dem::UnitCell> cells,
+                 const CellPointsOptions &options);
+  /// @param cell_of  the cell of each point
+  UnitCellPoints(std::vector<dem::UnitCell> cells,
+                 std::vector<std::size_t> cell_of,
                  const CellPointsOptions &options);
   ~UnitCellPoints() override;
 
@@ -87,16 +98,18 @@ public:
 
 private:
   struct Point;
-  void evaluate_point(Point &point,
-                      const fem::Deformation &deformation,
-                      fem::Want want,
-                      fem::Response &response) const;
-  void summarise(std::span<fem::Response> responses);
+  dem::Stretch split(Point &point, const fem::Deformation &deformation) const;
+  void press(std::span<const dem::Stretch> stretches, fem::Want want);
+  void
+  respond(Point &point, const CommonCell &cell, fem::Response &response) const;
+  void summarise(std::span<const fem::Response> responses);
 
   std::vector<Point> points_;
   CellPointsOptions options_;
+  CommonCells cells_;
   CellReport report_;
   bool step_begins_ = true, attempted_ = false;
+  bool unpacked_ = true; ///< cells may be equal and not yet in common
 };
 } // namespace tamp::coupling
 

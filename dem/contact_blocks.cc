@@ -51,6 +51,8 @@ void sort_memories(std::vector<ContactMemory> &memories,
   std::ranges::sort(order, {}, [&](std::size_t k) { return memories[k].pair; });
   std::vector<ContactMemory> sorted;
   std::vector<double> sorted_more;
+  sorted.reserve(memories.size());
+  sorted_more.reserve(more.size());
   for (std::size_t k : order) {
     sorted.push_back(memories[k]);
     for (std::size_t m = 0; m < rows; ++m)
@@ -131,11 +133,9 @@ void ContactBlocks<T>::lay_out(const CellLaws &laws,
 }
 
 template <class T>
-void ContactBlocks<T>::read_memories(std::vector<ContactMemory> &memories,
-                                     std::vector<double> &more) const
+template <class Visitor>
+void ContactBlocks<T>::for_each_touching(const Visitor &visit) const
 {
-  memories.clear();
-  more.clear();
   for (const Group &group : groups_)
     for (std::size_t k = 0; k < group.size; ++k) {
       const std::size_t b = group.first_block + k % group.blocks;
@@ -143,16 +143,33 @@ void ContactBlocks<T>::read_memories(std::vector<ContactMemory> &memories,
       const ContactBlock<T> &block = blocks_[b];
       if (block.largest_overlap[lane] <= 0 && block.contact_radius[lane] <= 0)
         continue;
-      memories.push_back(
-          {{grain_at<T>(block.first[lane]), grain_at<T>(block.second[lane])},
-           {double(block.force_x[lane]),
-            double(block.force_y[lane]),
-            double(block.force_z[lane])},
-           double(block.largest_overlap[lane]),
-           double(block.contact_radius[lane])});
-      for (std::size_t m = 0; m < more_rows_; ++m)
-        more.push_back(double(more_[b * more_rows_ + m].lane[lane]));
+      visit(b, lane);
     }
+}
+
+template <class T>
+void ContactBlocks<T>::read_memories(std::vector<ContactMemory> &memories,
+                                     std::vector<double> &more) const
+{
+  memories.clear();
+  more.clear();
+  // Runs have many cells: none with room that it does not need.
+  std::size_t touching = 0;
+  for_each_touching([&](std::size_t, std::size_t) { ++touching; });
+  memories.reserve(touching);
+  more.reserve(touching * more_rows_);
+  for_each_touching([&](std::size_t b, std::size_t lane) {
+    const ContactBlock<T> &block = blocks_[b];
+    memories.push_back(
+        {{grain_at<T>(block.first[lane]), grain_at<T>(block.second[lane])},
+         {double(block.force_x[lane]),
+          double(block.force_y[lane]),
+          double(block.force_z[lane])},
+         double(block.largest_overlap[lane]),
+         double(block.contact_radius[lane])});
+    for (std::size_t m = 0; m < more_rows_; ++m)
+      more.push_back(double(more_[b * more_rows_ + m].lane[lane]));
+  });
   if (groups_.size() > 1)
     sort_memories(memories, more, more_rows_);
 }

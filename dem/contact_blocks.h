@@ -92,6 +92,10 @@ private:
              std::size_t block,
              std::size_t lane);
 
+  /// Calls visit(block index, lane) for those that have a memory.
+  template <class Visitor>
+  void for_each_touching(const Visitor &visit) const;
+
   std::vector<Group> groups_;
   std::vector<ContactBlock<T>> blocks_;
   std::vector<MoreRow> more_;

@@ -34,6 +34,19 @@ PointGeometry point_geometry(const Mesh &mesh,
   return geometry;
 }
 
+std::vector<dealii::Tensor<1, 3>> point_positions(const Mesh &mesh)
+{
+  const Element element(mesh.is_axisymmetric());
+  std::vector<dealii::Tensor<1, 3>> positions;
+  for (std::size_t cell = 0; cell < mesh.number_of_cells(); ++cell)
+    for (unsigned q = 0; q < mesh.points_per_cell(); ++q)
+      positions.push_back(
+          point_geometry(
+              mesh, element.points[q], mesh.nodes_of_cell(cell), mesh.nodes)
+              .position);
+  return positions;
+}
+
 dealii::Tensor<2, 3> displacement_gradient(const Mesh &mesh,
                                            const PointGeometry &geometry,
                                            const unsigned *nodes,

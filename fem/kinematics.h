@@ -31,6 +31,9 @@ PointGeometry point_geometry(const Mesh &mesh,
                              const unsigned *nodes,
                              const NodePositions &positions);
 
+/// Where the material points of a mesh are at the start [m], cell after cell.
+std::vector<dealii::Tensor<1, 3>> point_positions(const Mesh &mesh);
+
 /// Gradient of a displacement at a place. Axisymmetric: with the hoop strain in
 /// the axes (r, theta, z). @param displacement  of all degrees of freedom [m].
 dealii::Tensor<2, 3>

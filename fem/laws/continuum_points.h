@@ -12,6 +12,7 @@
 #include <string_view>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 namespace tamp::fem
 {
@@ -35,6 +36,12 @@ public:
   ContinuumPoints(Law law, const std::size_t size)
       : law_(std::move(law)), committed_(size, law_.initial_state()),
         trial_(committed_)
+  {
+  }
+
+  /// @param states  in which the points begin.
+  ContinuumPoints(Law law, std::vector<State> states)
+      : law_(std::move(law)), committed_(std::move(states)), trial_(committed_)
   {
   }
 

@@ -3,6 +3,7 @@
 #include <apps/parameter_table.h>
 #include <apps/powder.h>
 #include <apps/run_input.h>
+#include <fem/kinematics.h>
 
 #include <cmath>
 #include <filesystem>
@@ -132,6 +133,45 @@ TEST_F(Parameters, EveryContinuumLawIsTaken)
       EXPECT_EQ(make_material(material, 2).cells, nullptr) << type;
     }
   }
+}
+
+TEST_F(Parameters, AnUnevenFillingGivesEveryPointItsDensity)
+{
+  table.set("Die/Initial density = 0.36 - 2*z + if(r < 0.003, 0.01, 0)");
+  for (const char *type : {"elastic", "drucker-prager cap"}) {
+    table.set(std::string("Material/Type = ") + type);
+    const RunInput input = read_input(table, Need::die);
+    const auto places = tamp::fem::point_positions(input.mesh.mesh);
+    auto points = make_material(input.material, places.size()).points;
+    std::vector<tamp::fem::Deformation> still(places.size());
+    for (auto &deformation : still)
+      for (unsigned i = 0; i < 3; ++i)
+        deformation.relative_F[i][i] = 1;
+    std::vector<tamp::fem::Response> answers(places.size());
+    points->evaluate(still, tamp::fem::Want::stress, answers);
+    for (std::size_t i = 0; i < places.size(); ++i)
+      // Rounding of a logarithm and back.
+      EXPECT_NEAR(answers[i].relative_density,
+                  0.36 - 2 * places[i][2] + (places[i][0] < 3e-3 ? 0.01 : 0),
+                  1e-14);
+  }
+}
+
+TEST_F(Parameters, AnUnevenFillingThatCannotBeIsRefused)
+{
+  table.set("Material/Type = elastic");
+  for (const char *formula : {"0.3 + ", "0.3 + w", "0.3 - 100*z", "1.2"}) {
+    table.set(std::string("Die/Initial density = ") + formula);
+    EXPECT_THROW(read_input(table, Need::die), InputError) << formula;
+  }
+  table.set("Die/Initial density = 0.6");
+  EXPECT_NO_THROW(read_input(table, Need::die));
+  table.set("Material/Type = modified cam-clay");
+  EXPECT_THROW(read_input(table, Need::die), InputError);
+  table.set("Material/Type = unit cell");
+  EXPECT_NO_THROW(read_input(table, Need::die));
+  table.set("Packing/Same at all points = true");
+  EXPECT_THROW(read_input(table, Need::die), InputError);
 }
 
 TEST_F(Parameters, DefaultsOfLawsAreThoseOfTheLaws)

@@ -21,6 +21,15 @@ double wall_seconds()
   return std::chrono::duration<double>(now).count();
 }
 
+std::vector<dem::UnitCell> packings_of(const dem::PackingRequest &request,
+                                       std::size_t count)
+{
+  std::vector<dem::PackingRequest> samples;
+  for (std::size_t i = 0; i < count; ++i)
+    samples.push_back(coupling::sample_of(request, i));
+  return coupling::make_packings(samples, 2);
+}
+
 /// Processor time of a load step per material point in a small die with wall
 /// friction, all updates and the finite elements included.
 void measure_point_steps(benchmark::State &state)
@@ -35,7 +44,7 @@ void measure_point_steps(benchmark::State &state)
   const fem::Mesh mesh = fem::build_mesh(settings.geometry);
   const std::size_t points = mesh.number_of_points();
   const std::vector<dem::UnitCell> packings =
-      coupling::make_packings(granules(1000), points, false, 2);
+      packings_of(granules(1000), points);
   double done = 0;
   for (auto _ : state) {
     coupling::UnitCellPoints cells(packings, {});
@@ -73,8 +82,7 @@ double time_of_evaluations(const std::vector<dem::UnitCell> &start_cells,
 /// best of each: a shared machine disturbs single runs.
 double efficiency_of_two_threads()
 {
-  const std::vector<dem::UnitCell> cells =
-      coupling::make_packings(granules(200), 32, false, 2);
+  const std::vector<dem::UnitCell> cells = packings_of(granules(200), 32);
   double one = 1e300, two = 1e300;
   for (int k = 0; k < 3; ++k) {
     one = std::min(one, time_of_evaluations(cells, 1));

@@ -24,11 +24,20 @@ inline dem::PackingRequest granules(std::size_t count = 100)
   return request;
 }
 
+/// The packings of the first points of a run.
+inline std::vector<dem::UnitCell>
+first_packings(const dem::PackingRequest &request, std::size_t count)
+{
+  std::vector<dem::PackingRequest> samples;
+  for (std::size_t i = 0; i < count; ++i)
+    samples.push_back(sample_of(request, i));
+  return make_packings(samples, 2);
+}
+
 /// The packing of point 0 of a run, made once.
 inline const dem::UnitCell &sample_cell()
 {
-  static const dem::UnitCell cell =
-      make_packings(granules(), 1, false, 1).front();
+  static const dem::UnitCell cell = make_packing(sample_of(granules(), 0));
   return cell;
 }
 
@@ -64,7 +73,7 @@ inline std::vector<dem::UnitCell> different_cells(std::size_t count)
 {
   static std::vector<dem::UnitCell> cells;
   if (cells.size() < count)
-    cells = make_packings(granules(), count, false, 2);
+    cells = first_packings(granules(), count);
   return {cells.begin(), cells.begin() + std::ptrdiff_t(count)};
 }
 } // namespace tamp::coupling::test
