@@ -24,7 +24,7 @@ export width=0.05 height=0.1 pressure=1e5 increment=1e-3
 export steps=${STEPS:-4}
 export tolerance=1e-2 # of the peer: of the displacement, its example's
 export processes=2    # of the peer, which wants more than one
-tamp_tolerance=2e-5   # of tamp: of the forces, tighter than what the peer ends with
+tamp_tolerance=2e-5 # of tamp: of the forces, tighter than the peer ends with
 
 # One thread each, whatever the libraries would like.
 export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
