@@ -3,15 +3,13 @@
 #include <dem/measures.h>
 #include <dem/servo.h>
 #include <dem/unit_cell.h>
+#include <tests/benchmark/peers/peer_cell.h>
 
 #include <array>
-#include <charconv>
 #include <cmath>
-#include <fstream>
 #include <iomanip>
 #include <iostream>
 #include <limits>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -19,11 +17,10 @@
 namespace
 {
 using namespace tamp::dem;
+using tamp::speed::number;
+using tamp::speed::read_peer_cell;
 
-// The grains of the case; `run.sh` gives the same to the peers.
-constexpr double youngs_modulus = 70e6;      // [Pa]
-constexpr double poissons_ratio = 0.3;       // [-]
-constexpr double density = 2650;             // [kg/m3]
+// The path of the case; `run.sh` gives the same to the peers.
 constexpr double friction_coefficient = 0.3; // [-]
 constexpr double strain_rate = 6;            // [1/s]
 constexpr double time_step = 1.5e-7;         // [s]
@@ -31,53 +28,6 @@ constexpr double time_step = 1.5e-7;         // [s]
 constexpr double time_step_fraction = 0.17; // [-]
 // Part of the path that the quasi-static map takes at once.
 constexpr double map_increment = 1e-3; // [-]
-
-double number(const std::string &text)
-{
-  double value = 0;
-  const char *end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || stop != end)
-    throw std::invalid_argument("'" + text + "' should be a number");
-  return value;
-}
-
-/// Reads "# L lx ly lz", then a line "x y z r" per grain [m].
-UnitCell read_cell(const std::string &file, double friction)
-{
-  std::ifstream in(file);
-  if (!in)
-    throw std::invalid_argument("cannot read the packing '" + file + "'");
-  UnitCell cell;
-  cell.materials = {{youngs_modulus, poissons_ratio, density}};
-  cell.contact.normal_law = NormalLaw::hertz;
-  cell.contact.tangential_law = TangentialLaw::mindlin;
-  cell.contact.friction_coefficient = friction;
-  Vector3 edges = Vector3::Zero();
-  for (std::string line; std::getline(in, line);) {
-    std::istringstream words(line);
-    std::string mark, name;
-    if (line.starts_with('#')) {
-      words >> mark >> name;
-      if (name == "L")
-        words >> edges[0] >> edges[1] >> edges[2];
-      continue;
-    }
-    Vector3 x;
-    double r = 0;
-    if (words >> x[0] >> x[1] >> x[2] >> r) {
-      cell.place.push_back(x.cwiseQuotient(edges));
-      cell.radius.push_back(r);
-    }
-  }
-  if (cell.size() == 0 || !(edges.minCoeff() > 0))
-    throw std::invalid_argument(
-        "'" + file +
-        "' should hold a line '# L lx ly lz' and grains 'x y z r'");
-  cell.box.h = edges.asDiagonal();
-  cell.reference_volume = cell.box.volume();
-  return cell;
-}
 
 void write_cell(const UnitCell &cell)
 {
@@ -129,7 +79,7 @@ Driving quasi_static()
 /// the equilibrium, and a list of places says all of it.
 void jam(const std::string &file, double pressure, double friction)
 {
-  UnitCell cell = read_cell(file, friction);
+  UnitCell cell = read_peer_cell(file, friction);
   ServoGoal goal;
   goal.pressure = pressure;
   goal.accuracy = 1e-4;
@@ -148,7 +98,7 @@ void compact(const std::string &file,
              const std::vector<std::string> &densities,
              Method method)
 {
-  UnitCell cell = read_cell(file, friction_coefficient);
+  UnitCell cell = read_peer_cell(file, friction_coefficient);
   const Driving driving =
       method == Method::dynamics ? dynamics() : quasi_static();
   deform(cell, Stretch::Identity(), driving);
@@ -165,7 +115,7 @@ void compact(const std::string &file,
 /// About so many time steps of the compaction; timed from outside.
 void step(const std::string &file, double steps)
 {
-  UnitCell cell = read_cell(file, friction_coefficient);
+  UnitCell cell = read_peer_cell(file, friction_coefficient);
   const double strain = steps * strain_rate * time_step;
   const CellAnswer answer = deform(cell, uniaxial(strain), dynamics());
   report(cell);

@@ -4,12 +4,13 @@
 # prints a table of speed, stress and coordination number at equal density, and
 # writes peers.csv in the current folder.
 #
-#   tests/benchmark/peers/run.sh [lammps] [liggghts] [yade] [tamp]
+#   tests/benchmark/peers/run.sh [lammps] [liggghts] [yade] [tamp] [femxdem]
 #
-# Without names all four. Packages of those named are installed if they are
-# missing. The environment may change: RUNS (timings of each, 5), SPEED_STEPS
-# (time steps of a timing, 10000), START (the packing), SPEED_ONLY (if set, no
-# stresses).
+# Without names the first four. `femxdem` is another case, of finite elements
+# with such grains, see femxdem/run.sh; its rows are added to peers.csv.
+# Packages of those named are installed if they are missing, but for femxdem's.
+# The environment may change: RUNS (timings of each, 5), SPEED_STEPS (time steps
+# of a timing, 10000), START (the packing), SPEED_ONLY (if set, no stresses).
 set -euo pipefail
 export LC_ALL=C
 
@@ -203,6 +204,11 @@ speed() {
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 [ $# -gt 0 ] || set -- lammps liggghts yade tamp
+if [[ " $* " == *" femxdem "* ]]; then
+  (cd "$work" && "$here/femxdem/run.sh")
+  read -ra others <<< "$(sed 's/ femxdem / /g' <<< " $* ")"
+  set -- ${others[@]+"${others[@]}"}
+fi
 for peer in "$@"; do
   prepare "$peer"
 done
@@ -253,10 +259,12 @@ done
       printf name, "lateral_stress", $5, "Pa"
       printf name, "coordination_number", $6, "-"
     }' "$work/states"
+  [ ! -e "$work/femxdem.csv" ] || grep '^peer' "$work/femxdem.csv"
 } > "$result"
 
 echo
-echo "particle-steps/s on one core (median, slowest, fastest of $runs)"
+[ $# -eq 0 ] ||
+  echo "particle-steps/s on one core (median, slowest, fastest of $runs)"
 for peer in "$@"; do
   awk -v peer="$peer" '
     { v[NR] = $1 / 1e6 }
