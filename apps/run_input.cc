@@ -228,7 +228,7 @@ RunInput read_input(const ParameterTable &table, Need need)
     read_path(table, input);
   if (everything || need == Need::die) {
     read_die_shape(table, input.die);
-    input.mesh = read_press(table, input.material.kind, input.die);
+    input.mesh = read_press(table, input.material, input.die);
     check_start(table, input);
     check_grain_points(table, input, input.mesh.mesh.number_of_points());
   }
