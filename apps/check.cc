@@ -39,6 +39,7 @@ std::string name_of(Need need)
     return "pack";
   case Need::contact:
     return "contact";
+  case Need::point:
   case Need::everything:
     break;
   }

@@ -24,7 +24,7 @@ double force_of(fem::Pressing pressing, const fem::StepRecord &record)
 // as at least a small share of the peak: nothing presses a compact that is out.
 double imbalance(const fem::StepRecord &record, double peak)
 {
-  constexpr double smallest = 1e-4;
+  constexpr double smallest = 1e-2;
   return ratio(std::abs(record.upper_force - record.lower_force -
                         record.wall_friction_force),
                std::max({std::abs(record.upper_force),

@@ -20,6 +20,24 @@ double expected_steps(const fem::Stage &stage, const fem::StepLimits &limits)
     guess = stage.steps;
   return std::max(guess, 1.);
 }
+
+// What may be done about a step of a stage.
+std::string remedy(fem::StageKind kind, bool cells, bool opened)
+{
+  if (!cells)
+    return "Smaller steps (Solver/Maximum step) may help";
+  if (kind == fem::StageKind::press || kind == fem::StageKind::hold)
+    return "Smaller steps (Solver/Maximum step), a higher Packing/Pressure or "
+           "more grains may help";
+  return std::string(opened ? "Nothing holds its grains together any more, and "
+                              "any opening would be an equilibrium"
+                            : "If grains lose hold of each other, nothing does "
+                              "converge") +
+         ". Keep the compact under more pressure, as in 'unload to 10 % of "
+         "peak; eject to rim holding 10 % of peak', or let its grains adhere "
+         "more (Contact/Work of adhesion)";
+}
+
 } // namespace
 
 std::vector<std::string> stage_remarks(const fem::DieSettings &settings)
@@ -89,7 +107,7 @@ std::string failure_words(const fem::Failure &failure,
   return fmt::format(
       "the step after step {} ({}) did not converge: {}. Worst is point {} "
       "at r = {:.4g} mm, z = {:.4g} mm with stress rr {:.4g}, tt {:.4g}, zz "
-      "{:.4g}, rz {:.4g} MPa (compression positive). {} may help",
+      "{:.4g}, rz {:.4g} MPa (compression positive). {}",
       step,
       name_of(kind),
       failure.reason,
@@ -100,8 +118,6 @@ std::string failure_words(const fem::Failure &failure,
       (0 - stress[1][1]) / 1e6,
       (0 - stress[2][2]) / 1e6,
       (0 - stress[0][2]) / 1e6,
-      cells ? "Smaller steps (Solver/Maximum step), a higher "
-              "Packing/Pressure or more grains"
-            : "Smaller steps (Solver/Maximum step)");
+      remedy(kind, cells, failure.kind == fem::FailureKind::opened));
 }
 } // namespace tamp::apps

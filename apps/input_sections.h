@@ -30,10 +30,10 @@ void read_die_shape(const ParameterTable &table, fem::DieSettings &die);
 /// @name Schedule, Solver
 /// @{
 void declare_press(ParameterTable &table);
-/// The kind of material decides what `automatic` means. Returns the mesh
+/// The material decides what `automatic` means. Returns the mesh
 /// of the powder.
 fem::ImportedMesh read_press(const ParameterTable &table,
-                             coupling::MaterialKind kind,
+                             const coupling::MaterialChoice &material,
                              fem::DieSettings &die);
 /// @}
 } // namespace tamp::apps

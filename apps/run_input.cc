@@ -270,7 +270,7 @@ RunInput read_input(const ParameterTable &table, Need need)
   const bool uneven = !table.word("Die/Initial density").empty();
   if (everything || need == Need::die || (need == Need::point && uneven)) {
     read_die_shape(table, input.die);
-    input.mesh = read_press(table, input.material.kind, input.die);
+    input.mesh = read_press(table, input.material, input.die);
     read_densities(table, input);
     check_start(table, input);
     check_grain_points(table, input, input.mesh.mesh.number_of_points());

@@ -17,12 +17,12 @@ constexpr double safe_start_pressure = 0.5e6;
 
 std::string adhesion_doubt(const dem::ContactModel &model)
 {
-  const bool adhesive = model.normal_law == dem::NormalLaw::jkr ||
-                        model.normal_law == dem::NormalLaw::thornton_ning_jkr;
-  if (adhesive && !(model.work_of_adhesion > 0))
+  const bool may = model.normal_law == dem::NormalLaw::jkr ||
+                   model.normal_law == dem::NormalLaw::thornton_ning_jkr;
+  if (may && !model.adheres())
     return "Contact/Work of adhesion is 0: the normal law is that without "
            "adhesion";
-  if (!adhesive && model.work_of_adhesion > 0)
+  if (!may && model.work_of_adhesion > 0)
     return "Contact/Work of adhesion is not felt: the normal law is one "
            "without adhesion";
   return {};

@@ -30,6 +30,12 @@ PairMaterial pair_material(const GrainMaterial &first,
           std::min(first.limiting_pressure, second.limiting_pressure)};
 }
 
+bool ContactModel::adheres() const
+{
+  return work_of_adhesion > 0 && (normal_law == NormalLaw::jkr ||
+                                  normal_law == NormalLaw::thornton_ning_jkr);
+}
+
 void ContactModel::check() const
 {
   const auto not_negative = [](double value, const char *name) {

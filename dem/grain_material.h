@@ -63,6 +63,8 @@ struct ContactModel {
   /// mdr only [-].
   double bulk_onset = 0.5;
 
+  /// Do grains that touch pull, too?
+  bool adheres() const;
   /// Throws std::invalid_argument naming the first value that is not
   /// physical.
   void check() const;

@@ -20,6 +20,18 @@ namespace
 /// A point's deformation in one step stays below this multiple of the largest
 /// step.
 constexpr double largest_concentration = 10;
+/// A compact that is let go has corners that bear little: points under less
+/// than this share of the largest mean pressure of the punch.
+constexpr double bearing_share = 0.05;
+
+/// Of all points, on every rank.
+std::vector<double> relative_densities(const Compact &compact)
+{
+  std::vector<double> result;
+  for (const Response &response : compact.state().responses)
+    result.push_back(response.relative_density);
+  return compact.whole(result);
+}
 } // namespace
 
 struct DieModel::Implementation {
@@ -37,6 +49,8 @@ struct DieModel::Implementation {
   Increment last_increment; ///< of the phase; empty: none yet
   double last_driving = 0;
   unsigned last_phase = 0;
+  /// Of all points as they began to leave the die; empty: they do not.
+  std::vector<double> densities_inside;
   double seconds = 0;
 
   Implementation(const DieSettings &chosen,
@@ -73,6 +87,7 @@ struct DieModel::Implementation {
     use(self.last_increment);
     use(self.last_driving);
     use(self.last_phase);
+    use(self.densities_inside);
     use(self.seconds);
   }
 
@@ -194,10 +209,12 @@ struct DieModel::Implementation {
     return increment;
   }
 
-  void remember_failure(const Attempt &attempt, const std::string &reason)
+  void remember_failure(const Attempt &attempt)
   {
     const Compact &compact = press.compact();
-    failure.reason = reason;
+    failure.kind =
+        attempt.opened ? FailureKind::opened : FailureKind::not_converged;
+    failure.reason = "the step fell below its minimum: " + attempt.reason;
     failure.point = attempt.point;
     std::vector<double> values(9, 0.);
     if (compact.point_share().holds(attempt.point)) {
@@ -215,15 +232,32 @@ struct DieModel::Implementation {
       failure.stress.access_raw_entry(i) = values[3 + i];
   }
 
+  void guard(const Proposal &proposal, Attempt &attempt) const
+  {
+    if (!settings.solver.guard_against_opening || !attempt.converged)
+      return;
+    equilibrium.refuse_opening(
+        {schedule.kept_pressure(proposal, state, on_tools(attempt.forces)),
+         schedule.presses() ? attempt.loose_pressure
+                            : bearing_share * state.peak_force / area,
+         schedule.presses() || schedule.ejects()
+             ? 0
+             : proposal.driving / state.height,
+         densities_inside},
+        attempt);
+  }
+
   /// Tries a proposal, shorter and shorter if need be. False if the step gets
   /// too small.
   bool find_equilibrium(Proposal &proposal, Attempt &attempt, unsigned &cuts)
   {
-    const bool guard =
-        settings.solver.guard_against_opening && schedule.presses();
+    Attempt opened;
     while (true) {
-      attempt = equilibrium.attempt(proposal.motion, guess(proposal), guard);
+      attempt = equilibrium.attempt(proposal.motion, guess(proposal));
+      guard(proposal, attempt);
       updates += attempt.iterations;
+      if (attempt.opened)
+        opened = attempt;
       if (attempt.converged) {
         const auto loaded =
             schedule.instead(proposal, state, on_tools(attempt.forces));
@@ -234,8 +268,7 @@ struct DieModel::Implementation {
       }
       const auto shorter = schedule.cut(proposal, state);
       if (!shorter) {
-        remember_failure(attempt,
-                         "the step fell below its minimum: " + attempt.reason);
+        remember_failure(opened.opened ? opened : attempt);
         return false;
       }
       ++cuts;
@@ -245,6 +278,10 @@ struct DieModel::Implementation {
 
   bool step(Proposal proposal)
   {
+    if (!schedule.ejects())
+      densities_inside.clear();
+    else if (densities_inside.empty())
+      densities_inside = relative_densities(press.compact());
     const PressState before = state;
     Attempt attempt;
     unsigned cuts = 0;
@@ -288,7 +325,8 @@ struct DieModel::Implementation {
           stage_begins(schedule.stage(), state.peak_force / area);
       }
       if (const auto reason = schedule.impossible(state)) {
-        remember_failure({}, *reason);
+        remember_failure({});
+        failure.reason = *reason;
         failure.kind = FailureKind::impossible;
         return Advance::failed;
       }

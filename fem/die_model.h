@@ -49,6 +49,7 @@ struct StepRecord {
 
 enum class FailureKind {
   not_converged, ///< a step found no equilibrium
+  opened,        ///< but one in which a material point opens, see Opening
   impossible     ///< the schedule asks for what cannot be done
 };
 

@@ -125,6 +125,10 @@ void check_solver(const SolverSettings &solver)
           "force tolerance",
           solver.force_tolerance,
           "> 0");
+  require(solver.least_reaction > 0 && solver.least_reaction <= 1,
+          "force floor",
+          solver.least_reaction,
+          "above 0 and at most 1");
   require(solver.displacement_tolerance > 0,
           "displacement tolerance",
           solver.displacement_tolerance,

@@ -72,13 +72,16 @@ enum class NonlinearMethod {
 struct SolverSettings {
   NonlinearMethod method = NonlinearMethod::anderson;
   double force_tolerance = 1e-3; ///< of the residual / reactions [-]
+  /// Reactions count as at least this share of their peak: at zero force there
+  /// is nothing else to compare with [-].
+  double least_reaction = 1e-4;
   /// Of the change of displacement / the increment, which counts as 5e-3 of the
   /// height at least [-].
   double displacement_tolerance = 1e-2;
   unsigned maximum_iterations = 20;
   unsigned anderson_depth = 5;
-  /// Reject steps in which a point loses most of its pressure or opens while
-  /// the punch presses: zero stress is an equilibrium, too.
+  /// Reject steps in which a point opens, see find_opening(): zero stress is an
+  /// equilibrium, too.
   bool guard_against_opening = false;
   bool f_bar = false; ///< free of locking near full density, see Compact
   /// The tools are balanced by repeated solutions, each of what is left over:

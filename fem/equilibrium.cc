@@ -35,11 +35,6 @@ double norm(const std::vector<double> &values)
   return std::sqrt(dot(values, values));
 }
 
-double pressure(const Response &response)
-{
-  return -dealii::trace(response.stress) / 3;
-}
-
 /// Watches the residual of an attempt for progress.
 class Progress
 {
@@ -116,21 +111,19 @@ bool Equilibrium::good(const Attempt &attempt, double tolerances) const
          attempt.displacement_change <= settings_.displacement_tolerance;
 }
 
-Attempt
-Equilibrium::attempt(const Motion &motion, const Increment &guess, bool guard)
+Attempt Equilibrium::attempt(const Motion &motion, const Increment &guess)
 {
   Attempt attempt;
   increment_ = guess;
   if (fails(press_.begin(motion, increment_), attempt))
     return attempt;
-  const double loose = guard ? loose_pressure() : 0;
+  if (settings_.guard_against_opening)
+    attempt.loose_pressure = loose_pressure();
   press_.take_reactions();
   if (settings_.method == NonlinearMethod::newton)
     search_newton(attempt);
   else
     search_accelerated(attempt);
-  if (attempt.converged && guard && opens(loose, attempt))
-    attempt.converged = false;
   return attempt;
 }
 
@@ -267,24 +260,16 @@ double Equilibrium::loose_pressure() const
   return loose_share * sums[0] / sums[1];
 }
 
-bool Equilibrium::opens(double loose, Attempt &attempt) const
+void Equilibrium::refuse_opening(const OpeningLimits &limits,
+                                 Attempt &attempt) const
 {
-  constexpr double kept_pressure = 0.3, largest_growth = 2e-3;
-  const Compact &compact = press_.compact();
-  double worst = 0;
-  for (std::size_t i = 0; i < compact.state().responses.size(); ++i) {
-    const double before = pressure(compact.state().responses[i]);
-    const double now = pressure(compact.trial_responses()[i]);
-    if ((before > loose && now < kept_pressure * before) ||
-        compact.volume_ratio(i) > 1 + largest_growth)
-      worst = 1 + static_cast<double>(compact.point_share().begin + i);
-  }
-  worst = press_.ranks().largest(worst);
-  if (worst == 0)
-    return false;
-  attempt.point = static_cast<std::size_t>(worst) - 1;
-  attempt.reason = "a material point opens";
-  return true;
+  const auto opening = find_opening(press_.compact(), limits);
+  if (!opening)
+    return;
+  attempt.converged = false;
+  attempt.opened = true;
+  attempt.point = opening->point;
+  attempt.reason = "a material point opens: it " + opening->reason;
 }
 
 void Equilibrium::shorten(const Increment &from, Increment &to) const

@@ -2,6 +2,7 @@
 #ifndef fem_equilibrium_h
 #define fem_equilibrium_h
 
+#include <fem/opening.h>
 #include <fem/press.h>
 
 #include <cstddef>
@@ -14,11 +15,15 @@ struct Attempt {
   bool converged = false;
   bool stagnated = false;  ///< converged to less than was asked, see below
   std::string reason;      ///< why not
+  bool opened = false;     ///< refused because a material point opens
   std::size_t point = 0;   ///< where it went wrong, or the residual is largest
   unsigned iterations = 0; ///< evaluations of all points
   double force_residual = 0;      ///< / reactions [-]
   double displacement_change = 0; ///< / largest of a usual step [-]
   std::size_t doubtful_points = 0;
+  /// Powder that bears less, a small share of its mean bulk modulus, may give
+  /// way for good as it is pressed; known if openings are watched [Pa].
+  double loose_pressure = 0;
   ToolForces forces; ///< of the mesh's part of the compact
 };
 
@@ -43,9 +48,12 @@ public:
 
   /// Searches equilibrium for this motion of the tools from the accepted state
   /// on. Changes nothing accepted. @param guess  of the increment; what the
-  /// tools prescribe is put in. @param guard  refuse states that open.
-  [[nodiscard]] Attempt
-  attempt(const Motion &motion, const Increment &guess, bool guard);
+  /// tools prescribe is put in.
+  [[nodiscard]] Attempt attempt(const Motion &motion, const Increment &guess);
+
+  /// Refuses the last attempt, which must have converged, if a material point
+  /// opens: then it has not converged. Collective.
+  void refuse_opening(const OpeningLimits &limits, Attempt &attempt) const;
 
   /// Makes the last attempt, which must have converged, the accepted state.
   void accept() { press_.accept(); }
@@ -62,10 +70,7 @@ private:
   double relative_change(const std::vector<double> &change) const;
   bool good(const Attempt &attempt, double tolerances = 1) const;
   bool fails(const Fault &fault, Attempt &attempt) const;
-  /// Powder that bears less than this, a small share of its mean bulk modulus
-  /// in the trial, may give way for good as it is pressed [Pa].
   double loose_pressure() const;
-  bool opens(double loose, Attempt &attempt) const;
   void shorten(const Increment &from, Increment &to) const;
   std::size_t point_of_largest(const std::vector<double> &imbalance) const;
 

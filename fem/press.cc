@@ -13,10 +13,6 @@ namespace tamp::fem
 {
 namespace
 {
-/// Residuals are measured against at least this share of the largest reactions
-/// so far: at zero force there is nothing else to compare with.
-constexpr double smallest_reaction = 1e-4;
-
 double reactions(const std::vector<PairForce> &forces)
 {
   double squares = 0;
@@ -33,7 +29,8 @@ Press::Press(const Mesh &mesh,
              const Ranks &ranks)
     : compact_(mesh, points, ranks, settings.f_bar), contact_(mesh, tools),
       system_(mesh, compact_.assembler(), settings.linear, ranks),
-      stiffness_(compact_.assembler().pattern())
+      stiffness_(compact_.assembler().pattern()),
+      least_reaction_(settings.least_reaction)
 {
   // The tools hold what stress the powder brings.
   internal_ = compact_.internal_forces();
@@ -185,14 +182,14 @@ std::vector<double> Press::imbalance() const
 double Press::reference_force() const
 {
   return std::max({reactions(pair_forces_),
-                   smallest_reaction * peak_reactions_,
+                   least_reaction_ * peak_reactions_,
                    std::numeric_limits<double>::min()});
 }
 
 double Press::tool_imbalance() const
 {
   const ToolForces tools = trial_forces();
-  double sum = 0, largest = std::max(smallest_reaction * peak_reactions_,
+  double sum = 0, largest = std::max(least_reaction_ * peak_reactions_,
                                      std::numeric_limits<double>::min());
   for (const ToolForce &tool : tools) {
     sum += tool.force[2];

@@ -127,6 +127,7 @@ private:
   WorkAccount work_;
   std::vector<double> internal_;
   std::vector<PairForce> pair_forces_;
+  double least_reaction_; ///< share of the peak
   double peak_reactions_ = 0;
   PressTimes times_;
 };

@@ -62,6 +62,22 @@ double Schedule::force_of_mover(const ForceOnTools &force) const
   return movers_ == Pressing::lower ? -force[lower_punch] : force[upper_punch];
 }
 
+double Schedule::kept_pressure(const Proposal &proposal,
+                               const PressState &before,
+                               const ForceOnTools &after) const
+{
+  if (presses())
+    return 1;
+  if (phase_ == Phase::eject) {
+    constexpr double surely = 1e-6; // of the height
+    const double way = proposal.motion[lower_punch].displacement -
+                       proposal.motion[die_wall].displacement;
+    return before.top + way <= before.rim + surely * before.height ? 1 : 0;
+  }
+  const double was = force_of_mover(before.force);
+  return was > 0 ? std::clamp(force_of_mover(after) / was, 0., 1.) : 0;
+}
+
 double Schedule::closing(const PressState &state) const
 {
   return movers_ == Pressing::lower ? state.lower_displacement

@@ -47,6 +47,15 @@ public:
   /// one if both do. Zero while ejecting [N].
   double pressing_force(const ForceOnTools &force) const;
 
+  /// Is the compact on its way out of the die?
+  bool ejects() const { return phase_ == Phase::eject; }
+  /// Share of its pressure that a material point is left by a step that ended
+  /// with these forces: what the punch takes back, and the wall of a compact
+  /// that passes the rim, is asked for [-].
+  double kept_pressure(const Proposal &proposal,
+                       const PressState &before,
+                       const ForceOnTools &after) const;
+
   /// Is the current stage still to be begun?
   bool at_stage_begin() const { return phase_ == Phase::none; }
   void begin_stage(const PressState &state);

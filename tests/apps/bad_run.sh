@@ -28,7 +28,7 @@ expect 2 'Output/Checkpoint interval' "'5 mm'" 'a time' -- "$tamp" die bad.prm \
 expect 2 '--wrong' -- "$tamp" probe bad.prm --wrong
 expect 2 'Mesh file' 'no.msh' -- "$tamp" die bad.prm -o results \
   --set 'Die/Shape = file' --set 'Die/Mesh file = no.msh'
-expect 2 'free ejection' 'holding 5 %' -- "$tamp" die bad.prm -o results \
+expect 2 'ejected freely' 'holding 5 %' 'Work of adhesion' -- "$tamp" die bad.prm -o results \
   --set 'Material/Type = unit cell' \
   --set 'Schedule/Stages = press to density 0.8; eject to rim holding 0 % of peak'
 cells=(--set 'Material/Type = unit cell')

@@ -48,7 +48,7 @@ struct CellBench {
     for (std::size_t node = 0; node < places.size(); ++node)
       guess[mesh.axial_dof(node)] =
           -distance * (places[node][2] - body.low) / body.height();
-    return with.attempt(motion, guess, false);
+    return with.attempt(motion, guess);
   }
 
   /// Moves the upper punch down and accepts; the attempt must succeed.

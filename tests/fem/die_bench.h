@@ -36,7 +36,7 @@ struct DieBench {
     Increment guess(number_of_unknowns(mesh), 0.);
     for (std::size_t node = 0; node < mesh.nodes.size(); ++node)
       guess[mesh.axial_dof(node)] = shift;
-    return equilibrium.attempt(motion, guess, false);
+    return equilibrium.attempt(motion, guess);
   }
 
   /// Moves the punches up by these lengths, the powder with the lower one, and

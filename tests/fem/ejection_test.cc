@@ -65,6 +65,28 @@ TEST_P(Ejections, AFreeCompactIsNeverTouchedAgain)
   EXPECT_TRUE(free);
 }
 
+TEST_P(Ejections, LeavePointsTheirPressureUntilTheyPassTheRim)
+{
+  const Trip run(schedule_of(
+      {press_by(Pressing::upper, StageTarget::displacement, 1e-3),
+       unload_to(StageTarget::peak_share, 0.05),
+       {StageKind::eject, StageTarget::out, 0, 0.05, 1, {}, GetParam()}}));
+  for (const Step &step : run.of(0))
+    EXPECT_EQ(step.kept, 1);
+  for (const Step &step : run.of(1))
+    EXPECT_NEAR(step.kept,
+                step.after.force[upper_punch] / step.before.force[upper_punch],
+                rounding);
+  unsigned inside = 0, passing = 0;
+  for (const Step &step : run.of(2)) {
+    const bool in = step.after.top <= step.after.rim + 1e-7 * Press::height;
+    ++(in ? inside : passing);
+    EXPECT_EQ(step.kept, in ? 1 : 0);
+  }
+  EXPECT_GT(inside, 0u);
+  EXPECT_GT(passing, 0u);
+}
+
 TEST_P(Ejections, JumpInsideTheDieAndPassTheRimInPartsOfAnElement)
 {
   const Trip run = eject(StageTarget::out, 0, 0.05);

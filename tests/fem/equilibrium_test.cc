@@ -70,7 +70,7 @@ struct Bench {
   Attempt attempt(const Motion &motion)
   {
     const Increment guess(number_of_unknowns(mesh), 0.);
-    return equilibrium.attempt(motion, guess, false);
+    return equilibrium.attempt(motion, guess);
   }
 };
 } // namespace
@@ -228,15 +228,47 @@ TEST(Equilibrium, NearestStateIsTakenIfAnswersScatterALittle)
   EXPECT_FALSE(wild.stagnated);
 }
 
-TEST(Equilibrium, GuardRefusesAnOpeningState)
+TEST(Equilibrium, GuardRefusesAPointThatLosesWhatNobodyTookBack)
+{
+  Bench bench(solver(NonlinearMethod::newton));
+  ASSERT_TRUE(bench.attempt(down(1e-5)).converged);
+  bench.equilibrium.accept();
+  const Attempt released = bench.attempt(down(-8e-6));
+  ASSERT_TRUE(released.converged);
+  const auto refused = [&](const OpeningLimits &limits) {
+    Attempt attempt = released;
+    bench.equilibrium.refuse_opening(limits, attempt);
+    EXPECT_EQ(attempt.opened, !attempt.converged);
+    return attempt.reason;
+  };
+  EXPECT_NE(refused({}).find("loses its pressure"), std::string::npos);
+  // The punch took back four fifths of its force.
+  EXPECT_EQ(refused({.kept_pressure = 0.2}), "");
+  EXPECT_EQ(refused({.least_pressure = 1e9}), "");
+}
+
+TEST(Equilibrium, GuardRefusesAPointThatGrowsMuch)
 {
   Bench bench(solver(NonlinearMethod::newton));
   ASSERT_TRUE(bench.attempt(down(1e-4)).converged);
   bench.equilibrium.accept();
-  const Increment guess(number_of_unknowns(bench.mesh), 0.);
-  const Attempt attempt = bench.equilibrium.attempt(down(-8e-5), guess, true);
-  EXPECT_FALSE(attempt.converged);
-  EXPECT_EQ(attempt.reason, "a material point opens");
-  EXPECT_TRUE(bench.equilibrium.attempt(down(-8e-5), guess, false).converged);
+  Attempt attempt = bench.attempt(down(-5e-5));
+  ASSERT_TRUE(attempt.converged);
+  bench.equilibrium.refuse_opening({.kept_pressure = 0}, attempt);
+  EXPECT_TRUE(attempt.opened);
+  EXPECT_NE(attempt.reason.find("in a step"), std::string::npos);
+
+  attempt = bench.attempt(down(-1e-6));
+  ASSERT_TRUE(attempt.converged);
+  std::vector<double> densities;
+  for (const Response &response : bench.press.compact().state().responses)
+    densities.push_back(response.relative_density);
+  bench.equilibrium.refuse_opening({.densities = densities}, attempt);
+  EXPECT_FALSE(attempt.opened);
+  densities[2] *= 1.06;
+  bench.equilibrium.refuse_opening({.densities = densities}, attempt);
+  EXPECT_TRUE(attempt.opened);
+  EXPECT_EQ(attempt.point, 2u);
+  EXPECT_NE(attempt.reason.find("since the ejection"), std::string::npos);
 }
 } // namespace tamp::fem

@@ -55,8 +55,7 @@ residuals_of(const Law &law, const DieSettings &settings, const Way &way)
     Motion motion;
     motion[upper_punch].displacement = -way.last;
     residuals.push_back(
-        last.attempt(
-                motion, Increment(number_of_unknowns(bench.mesh), 0.), false)
+        last.attempt(motion, Increment(number_of_unknowns(bench.mesh), 0.))
             .force_residual);
   }
   return residuals;

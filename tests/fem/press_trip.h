@@ -95,6 +95,7 @@ struct Step {
   Proposal proposal;
   PressState before, after;
   bool was_cut;
+  double kept; ///< Schedule::kept_pressure()
 };
 
 inline DieSettings schedule_of(const std::vector<Stage> &stages)
@@ -158,7 +159,12 @@ struct Trip {
     trial.state.peak_force = std::max(
         press.state.peak_force, schedule.pressing_force(trial.state.force));
     steps.push_back(
-        {schedule.stage(), proposal, press.state, trial.state, was_cut});
+        {schedule.stage(),
+         proposal,
+         press.state,
+         trial.state,
+         was_cut,
+         schedule.kept_pressure(proposal, press.state, trial.state.force)});
     schedule.accept(proposal, press.state, trial.state, was_cut);
     press = trial;
     const double progress = schedule.progress(press.state);

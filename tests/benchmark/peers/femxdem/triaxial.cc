@@ -130,7 +130,7 @@ void compress(const Case &wanted)
     guess[mesh.axial_dof(node)] = -wanted.increment * mesh.nodes[node][2];
   for (unsigned step = 1; step <= wanted.steps; ++step) {
     const double before = cpu_seconds();
-    const fem::Attempt attempt = equilibrium.attempt(motion, guess, false);
+    const fem::Attempt attempt = equilibrium.attempt(motion, guess);
     if (!attempt.converged)
       throw std::runtime_error("step " + std::to_string(step) + ": " +
                                attempt.reason);
