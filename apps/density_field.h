@@ -4,15 +4,20 @@
 
 #include <fem/mesh.h>
 
+#include <string>
 #include <vector>
 
 namespace tamp::apps
 {
 class ParameterTable;
 
+/// The entry that says how unevenly a die is filled, Die/Initial density or
+/// Die/Initial density file; empty if it is filled evenly.
+std::string density_entry(const ParameterTable &table);
+
 /// The relative density of every material point of a mesh at the start, from
-/// Die/Initial density; empty if the powder is filled evenly. Throws InputError
-/// if the formula cannot be read or gives no density somewhere.
+/// that entry; empty if there is none. Throws InputError if the formula or the
+/// file cannot be read or gives no density somewhere.
 std::vector<double> read_density_field(const ParameterTable &table,
                                        const fem::Mesh &mesh);
 } // namespace tamp::apps

@@ -94,6 +94,7 @@ private:
     }
     const RunEnd end = advance();
     log.end();
+    cells_.end();
     recorder_.write(model_.last_step().step + 1, stage_, false);
     write_output(model_.last_step().step, true);
     return end;

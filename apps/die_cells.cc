@@ -122,8 +122,16 @@ std::string DieCells::problem() const
   return cells_ ? cells_->report().problem : "";
 }
 
+void DieCells::end()
+{
+  if (cells_)
+    different_ = cells_->different_cells();
+}
+
 void DieCells::give() const
 {
+  if (different_ > 0)
+    session_.result("different_cells[-]", static_cast<double>(different_));
   remarks_.give();
   bias_.give(session_.input().die.solver.force_tolerance);
   if (!cells_ || session_.place().ranks == 1)

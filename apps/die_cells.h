@@ -56,6 +56,8 @@ public:
   void judge(const std::string &step);
   /// Why the last evaluation failed; empty if it is not known. Collective.
   std::string problem() const;
+  /// The run has come to its end. Collective.
+  void end();
   /// Hands the key results to the session.
   void give() const;
 
@@ -72,7 +74,8 @@ private:
   coupling::SharedCells *cells_;
   CellRemarks remarks_;
   CellBias bias_;
-  double force_floor_ = 0; ///< of the stage [N]
+  double force_floor_ = 0;    ///< of the stage [N]
+  std::size_t different_ = 0; ///< cells, at the end of the run
 };
 } // namespace tamp::apps
 

@@ -81,6 +81,13 @@ void declare_lengths(ParameterTable &table)
       "0.002, 0.01, 0); a half section has x = r. Unit cells are packed "
       "to it, at the pressure that this takes; empty: as Packing or the "
       "law say");
+  table.text(
+      "Initial density file",
+      "",
+      "The same from a table: CSV with a header r[mm], z[mm], "
+      "relative_density[-], or x[mm], y[mm], z[mm], relative_density[-], and a "
+      "line for every place of a rectilinear grid that covers the powder; "
+      "linear in between; the path starts at the input's folder");
   table.quantity("Exit taper angle",
                  "0 deg",
                  dimension::angle,

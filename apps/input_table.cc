@@ -16,7 +16,8 @@ void read_table(const RunOptions &options, ParameterTable &table)
 
 void name_files_in_full(ParameterTable &table)
 {
-  for (const std::string path : {"Die/Mesh file",
+  for (const std::string path : {"Die/Initial density file",
+                                 "Die/Mesh file",
                                  "Grains/Size table",
                                  "Grains/Second species/Size table",
                                  "Packing/File"})

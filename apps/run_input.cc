@@ -152,6 +152,9 @@ std::vector<std::filesystem::path> files_of(const ParameterTable &table,
       files.push_back(stage.file);
   if (!input.die.geometry.mesh_file.empty())
     files.emplace_back(input.die.geometry.mesh_file);
+  if (const std::string path = "Die/Initial density file";
+      !input.material.densities.empty() && !table.word(path).empty())
+    files.push_back(table.folder(path) / table.word(path));
   for (const std::string section : {"Grains/", "Grains/Second species/"})
     if (const std::string path = section + "Size table";
         !table.word(path).empty())
@@ -197,7 +200,7 @@ void read_densities(const ParameterTable &table, RunInput &input)
   material.densities = read_density_field(table, input.mesh.mesh);
   if (material.densities.empty())
     return;
-  const std::string path = "Die/Initial density";
+  const std::string path = density_entry(table);
   if (material.kind == coupling::MaterialKind::modified_cam_clay)
     table.complain(path,
                    "the state of modified Cam-Clay does not follow from its "
@@ -267,7 +270,7 @@ RunInput read_input(const ParameterTable &table, Need need)
   if (everything || need == Need::probe)
     read_path(table, input);
   // A point of a die that is filled unevenly needs its place.
-  const bool uneven = !table.word("Die/Initial density").empty();
+  const bool uneven = !density_entry(table).empty();
   if (everything || need == Need::die || (need == Need::point && uneven)) {
     read_die_shape(table, input.die);
     input.mesh = read_press(table, input.material, input.die);

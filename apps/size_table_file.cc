@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <apps/csv_line.h>
 #include <apps/size_table_file.h>
-#include <apps/units.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <fmt/format.h>
 #include <fstream>
@@ -35,27 +34,6 @@ constexpr const char *expected_header =
     "expected a header with diameter[um] (or another length) and one of "
     "cumulative_share_by_number[-], ..._by_volume, ..._by_mass, "
     "share_by_number[-], ..._by_volume, ..._by_mass (or in [%])";
-
-std::vector<std::string> fields_of(const std::string &line)
-{
-  std::vector<std::string> fields;
-  for (std::size_t start = 0; start <= line.size();) {
-    const std::size_t end = std::min(line.find(',', start), line.size());
-    fields.emplace_back(trimmed(line.substr(start, end - start)));
-    start = end + 1;
-  }
-  return fields;
-}
-
-std::optional<double> number_of(const std::string &field)
-{
-  double value = 0;
-  const char *end = field.data() + field.size();
-  const auto [stop, error] = std::from_chars(field.data(), end, value);
-  if (error != std::errc() || stop != end || !std::isfinite(value))
-    return {};
-  return value;
-}
 
 /// Reads a table line by line.
 class SizeTableReader
@@ -92,22 +70,15 @@ private:
         fmt::format("{}:{}: {}", file_.string(), std::max(line_, 1u), problem));
   }
 
-  /// The factor to SI of "name[unit]" if that is its name.
   std::optional<double> factor(const std::string &field,
                                const std::string &name,
                                const Dimension &dimension) const
   {
-    if (!field.starts_with(name + "[") || !field.ends_with(']'))
-      return {};
-    const std::string unit =
-        field.substr(name.size() + 1, field.size() - name.size() - 2);
-    if (unit == "-" && dimension == dimension::number)
-      return 1;
-    const auto found = parse_unit(unit);
-    if (!found || found->dimension != dimension)
-      complain(fmt::format(
-          "'{}': expected a unit of {}", field, described(dimension)));
-    return found->value;
+    try {
+      return column_factor(field, name, dimension);
+    } catch (const InputError &error) {
+      complain(error.what());
+    }
   }
 
   void take_header(const std::string &line)

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <coupling/shared_cells.h>
+#include <dem/unit_cell_bytes.h>
+#include <fem/state_bytes.h>
 
 #include <cstring>
+#include <functional>
+#include <set>
 #include <string>
+#include <string_view>
 
 namespace tamp::coupling
 {
@@ -103,6 +108,31 @@ CellReport SharedCells::report() const
   report.worst_asymmetry = ranks().largest(report.worst_asymmetry);
   report.problem = ranks().first_text(report.problem);
   return report;
+}
+
+std::size_t SharedCells::different_cells() const
+{
+  // Points that share a cell ask for the same object.
+  std::set<const dem::UnitCell *> seen;
+  std::vector<char> hashes;
+  std::vector<char> bytes;
+  for (std::size_t i = 0; i < cells_.size(); ++i) {
+    const dem::UnitCell &cell = cells_.cell(i);
+    if (!seen.insert(&cell).second)
+      continue;
+    bytes.clear();
+    dem::to_bytes(cell, bytes);
+    fem::append_state(
+        hashes, std::hash<std::string_view>()({bytes.data(), bytes.size()}));
+  }
+  hashes = ranks().join(hashes);
+  std::set<std::size_t> different;
+  for (fem::StateBytes all(hashes); !all.empty();) {
+    std::size_t hash = 0;
+    all.take(hash);
+    different.insert(hash);
+  }
+  return different.size();
 }
 
 TurnedCell SharedCells::cell(std::size_t point) const

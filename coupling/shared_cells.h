@@ -42,6 +42,9 @@ public:
 
   /// Of all cells.
   CellReport report() const;
+  /// How many of the committed cells differ, in any byte (by hashes of 64
+  /// bits): the same on any number of ranks.
+  std::size_t different_cells() const;
   /// A copy of a point's cell.
   TurnedCell cell(std::size_t point) const;
   /// What is doubtful about the committed cells, point by point.

@@ -3,8 +3,11 @@
 #include <apps/parameter_table.h>
 #include <apps/powder.h>
 #include <apps/run_input.h>
+#include <coupling/unit_cell_points.h>
+#include <dem/unit_cell_bytes.h>
 #include <fem/kinematics.h>
 
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -172,6 +175,104 @@ TEST_F(Parameters, AnUnevenFillingThatCannotBeIsRefused)
   EXPECT_NO_THROW(read_input(table, Need::die));
   table.set("Packing/Same at all points = true");
   EXPECT_THROW(read_input(table, Need::die), InputError);
+}
+
+TEST_F(Parameters, AnUnevenFillingFromAFileIsExactWhereItIsLinear)
+{
+  table.set("Material/Type = elastic");
+  // Unevenly spaced, in no order, with a column that is not for us.
+  const auto of_rz = file("rz.csv",
+                          "# 0.3 + 20 r - 5 z, in metres\n"
+                          "z[mm], r[mm], who[-], relative_density[%]\n"
+                          "7, 6, 1, 38.5\n0, 1, 1, 32\n7, 0, 1, 26.5\n"
+                          "0, 0, 1, 30\n0, 6, 1, 42\n7, 1, 1, 28.5\n");
+  const auto of_xyz = file("xyz.csv",
+                           "x[m],y[m],z[m],relative_density[-]\n"
+                           "0,0,0,0.3\n0,0,0.007,0.265\n"
+                           "0,6e-3,0,0.36\n0,6e-3,0.007,0.325\n"
+                           "6e-3,0,0,0.42\n6e-3,0,0.007,0.385\n"
+                           "6e-3,6e-3,0,0.48\n6e-3,6e-3,0.007,0.445\n");
+  for (const bool radial : {true, false}) {
+    table.set("Die/Initial density file = " +
+              (radial ? of_rz : of_xyz).string());
+    table.set(radial ? "Die/Symmetry = axisymmetric"
+                     : "Die/Symmetry = quarter");
+    const RunInput input = read_input(table, Need::die);
+    const auto places = tamp::fem::point_positions(input.mesh.mesh);
+    ASSERT_EQ(input.material.densities.size(), places.size());
+    for (std::size_t i = 0; i < places.size(); ++i)
+      // Rounding of a few products below 1.
+      EXPECT_NEAR(input.material.densities[i],
+                  0.3 + 20 * places[i][0] - 5 * places[i][2] +
+                      (radial ? 0 : 10 * places[i][1]),
+                  1e-14);
+    EXPECT_EQ(input.files, std::vector{radial ? of_rz : of_xyz});
+  }
+}
+
+TEST_F(Parameters, AFileOfDensitiesThatCannotBeUsedIsNamedWithItsLine)
+{
+  table.set("Material/Type = elastic");
+  const auto complaint = [&](const std::string &text) {
+    table.set("Die/Initial density file = " + file("f.csv", text).string());
+    try {
+      read_input(table, Need::die);
+    } catch (const InputError &error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const std::string head = "r[mm],z[mm],relative_density[-]\n";
+  const std::string low = "0,0,0.3\n6,0,0.3\n", all = low + "0,7,0.3\n";
+  for (const auto &[text, words] : std::vector<std::array<std::string, 2>>{
+           {"", "f.csv:1: expected a header"},
+           {"r[mm],x[mm],z[mm],relative_density[-]\n", "f.csv:1: expected"},
+           {"r[mm],z[s],relative_density[-]\n", ":1: 'z[s]': expected a unit"},
+           {"r[mm],r[m],z[m],relative_density[-]\n", "two columns 'r'"},
+           {head + "0,0\n", "f.csv:2: '0,0': expected 3 values"},
+           {head + "0,0,a\n", "f.csv:2: 'a': expected a number"},
+           {head + "0,0,1.3\n", ":2: '1.3': expected a relative density"},
+           {head + low + "0,0,0.3\n", "f.csv:4: the place of"},
+           {head + low, "f.csv:3: expected at least two different values of z"},
+           {head + all,
+            "f.csv:4: there is no density at r = 0.006 m, z = 0.00"},
+           {head + "0,0,.3\n5,0,.3\n0,7,.3\n5,7,.3\n", "is outside the grid"},
+       })
+    EXPECT_NE(complaint(text).find(words), std::string::npos)
+        << words << " is not in " << complaint(text);
+  EXPECT_EQ(complaint(head + all + "6,7,0.3\n"), "");
+  table.set("Die/Initial density = 0.3");
+  EXPECT_THROW(read_input(table, Need::die), InputError);
+  table.set("Die/Initial density = ");
+  table.set("Die/Initial density file = none.csv");
+  EXPECT_THROW(read_input(table, Need::die), InputError);
+}
+
+TEST_F(Parameters, PointsTakeTheDifferentPackingsInTurn)
+{
+  table.set("Grains/Count = 60");
+  const auto cells_of = [&](const std::string &setting, std::size_t first) {
+    table.set(setting);
+    auto choice = read_input(table, Need::die).material;
+    choice.first_point = first;
+    constexpr std::size_t count = 7;
+    const auto material = make_material(choice, count);
+    std::vector<std::vector<char>> cells(count);
+    for (std::size_t i = 0; i < count; ++i)
+      tamp::dem::to_bytes(material.cells->cell(i), cells[i]);
+    return cells;
+  };
+  const auto three = cells_of("Packing/Different packings = 3", 0);
+  for (std::size_t i = 0; i < three.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      EXPECT_EQ(three[i] == three[j], i % 3 == j % 3) << i << ", " << j;
+  // Points of another rank, which begin with number 2.
+  const auto later = cells_of("Packing/Different packings = 3", 2);
+  for (std::size_t i = 0; i + 2 < three.size(); ++i)
+    EXPECT_TRUE(later[i] == three[i + 2]) << i;
+  const auto one = cells_of("Packing/Different packings = 1", 0);
+  table.set("Packing/Different packings = 0");
+  EXPECT_TRUE(one == cells_of("Packing/Same at all points = true", 0));
 }
 
 TEST_F(Parameters, DefaultsOfLawsAreThoseOfTheLaws)

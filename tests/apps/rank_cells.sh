@@ -54,7 +54,7 @@ for ranks in 2 4; do
   # What is said of cells and steps, warnings included; rounding of time aside.
   for name in force_evaluations_per_cell worst_unbalance worst_hill_mandel \
     points_too_narrow mean_cell_bias worst_cell_bias cell_bias_cost \
-    worst_stress_asymmetry; do
+    worst_stress_asymmetry different_cells; do
     grep -h "\"$name" ranks_1/run.json > expected.txt || fail "no $name"
     grep -h "\"$name" "ranks_$ranks/run.json" | cmp expected.txt - ||
       fail "$ranks ranks: another $name"

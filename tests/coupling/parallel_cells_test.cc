@@ -117,6 +117,21 @@ TEST(ParallelCells, ADieIsThatOfOneRankToTheBit)
   EXPECT_TRUE(shared == alone);
 }
 
+TEST(ParallelCells, TellHowManyDifferWhereverTheyAre)
+{
+  const fem::Ranks ranks = ranks_of_all();
+  EXPECT_EQ(share_cells(ranks).different_cells(), count);
+  constexpr std::size_t many = 32;
+  SharedCells cells = share_cells(ranks, many, true);
+  EXPECT_EQ(cells.different_cells(), 1u);
+  std::vector<fem::Response> answers(many);
+  cells.evaluate(uneven(many), fem::Want::stress, answers);
+  EXPECT_EQ(cells.different_cells(), 1u);
+  cells.commit();
+  // Half of them were pressed, each in its own way.
+  EXPECT_EQ(cells.different_cells(), many / 2 + 1);
+}
+
 TEST(ParallelCells, MoveToBalanceAnUnevenLoadAndStayTheSameToTheBit)
 {
   constexpr std::size_t many = 64;

@@ -25,7 +25,7 @@ per=${2:-node}
 cores=${SLURM_CPUS_ON_NODE:-$(env -u OMP_NUM_THREADS nproc)}
 results=${RESULTS:-results}
 again=
-[ ! -d "$results/checkpoint" ] || again=--resume
+[ -z "$(ls "$results"/checkpoint/step_*.tamp 2> /dev/null)" ] || again=--resume
 # Threads are the program's own.
 export OMP_NUM_THREADS=1 OPENBLAS_NUM_THREADS=1
 
