@@ -46,7 +46,8 @@ public:
             stored_.model),
         cells_(session, model_, points_, material_.cells),
         output_(session, model_, points_, material_.cells),
-        recorder_(session, mesh_, points_), checkpoints_(session, ranks)
+        recorder_(session, mesh_, points_),
+        results_(settings_.solver.least_reaction), checkpoints_(session, ranks)
   {
     if (session.resumes()) {
       go_on();

@@ -21,16 +21,15 @@ double force_of(fem::Pressing pressing, const fem::StepRecord &record)
 }
 
 // upper - lower - wall friction, over the largest force of a tool, which counts
-// as at least a small share of the peak: nothing presses a compact that is out.
-double imbalance(const fem::StepRecord &record, double peak)
+// as at least a small one: nothing presses a compact that is out.
+double imbalance(const fem::StepRecord &record, double smallest)
 {
-  constexpr double smallest = 1e-2;
   return ratio(std::abs(record.upper_force - record.lower_force -
                         record.wall_friction_force),
                std::max({std::abs(record.upper_force),
                          std::abs(record.lower_force),
                          std::abs(record.wall_normal_force),
-                         smallest * peak}));
+                         smallest}));
 }
 } // namespace
 
@@ -126,7 +125,8 @@ void DieResults::take(const fem::StepRecord &record,
   take_peak(record, stage);
   worst_balance_ = std::max(
       worst_balance_,
-      imbalance(record, std::max(peak_.upper_force, peak_.lower_force)));
+      imbalance(record,
+                force_floor_ * std::max(peak_.upper_force, peak_.lower_force)));
   worst_energy_ = std::max(worst_energy_, record.work.residual());
   worst_unbalance_ = std::max(worst_unbalance_, effort.worst_unbalance);
   worst_hill_mandel_ = std::max(worst_hill_mandel_, effort.worst_hill_mandel);

@@ -29,6 +29,10 @@ std::vector<double> die_values(const fem::StepRecord &record,
 class DieResults
 {
 public:
+  /// @param force_floor  share of the peak that forces count as at least where
+  ///                     their imbalance is judged [-]
+  explicit DieResults(double force_floor) : force_floor_(force_floor) {}
+
   /// @param stage  to which the step belongs.
   void take(const fem::StepRecord &record,
             const fem::Stage &stage,
@@ -48,6 +52,7 @@ private:
   void give_end(RunSession &session) const;
   void give_effort(RunSession &session) const;
 
+  double force_floor_;
   fem::StepRecord start_, peak_, last_;
   bool started_ = false, unloaded_ = false, ejecting_ = false, out_ = false;
   fem::Pressing pressing_ = fem::Pressing::upper, peak_by_ = pressing_;

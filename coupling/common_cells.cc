@@ -148,23 +148,17 @@ void CommonCells::commit()
 
 void CommonCells::put(std::size_t point, dem::UnitCell cell)
 {
-  rejoin();
   CommonCell fresh;
   fresh.committed = std::move(cell);
   fresh.first_point = point;
-  std::size_t &number = cell_of_.at(point);
-  const bool own = std::ranges::count(cell_of_, number) == 1;
-  if (own) {
-    cells_[number] = std::move(fresh);
-    return;
-  }
-  number = cells_.size();
+  cell_of_.at(point) = cells_.size();
   cells_.push_back(std::move(fresh));
 }
 
 void CommonCells::join_equal()
 {
   rejoin();
+  number_anew();
   std::vector<std::size_t> order(cells_.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) {

@@ -71,7 +71,8 @@ public:
   void rejoin();
   void commit();
 
-  /// Gives a point a committed cell of its own.
+  /// Gives a point a committed cell of its own. It is to be followed by
+  /// join_equal(), which drops the cell that the point had, too.
   void put(std::size_t point, dem::UnitCell cell);
   /// Cells that are equal to the last byte become one, without trials.
   void join_equal();

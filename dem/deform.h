@@ -84,7 +84,8 @@ struct CellAnswer {
   Eigen::Matrix3d stress = Eigen::Matrix3d::Zero(); ///< Cauchy, contacts only,
                                                     ///< tension positive [Pa]
   double unbalance = 0; ///< mean |F| of grains / mean |f| of contacts [-]
-  /// |micro work - macro work| / sum of |contact work|, last increment [-].
+  /// |micro work - macro work| / sum of |contact work|, last increment [-]. Of
+  /// quasi-static increments over the elastic energy, if that is more.
   double hill_mandel = 0;
   std::size_t evaluations = 0; ///< of all contact forces
 };

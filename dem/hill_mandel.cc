@@ -4,13 +4,15 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 
 namespace tamp::dem
 {
 double hill_mandel_residual(const UnitCell &cell,
                             const Matrix3 &back,
-                            std::span<const double> motion)
+                            std::span<const double> motion,
+                            double least)
 {
   const Matrix3 gradient = Matrix3::Identity() - back;
   Matrix3 stress = Matrix3::Zero();
@@ -31,6 +33,7 @@ double hill_mandel_residual(const UnitCell &cell,
     stress -= force * c.branch.transpose();
   }
   const double macro = (stress.array() * gradient.array()).sum();
-  return traffic > 0 ? std::abs(micro - macro) / traffic : 0.0;
+  const double most = std::max(traffic, least);
+  return most > 0 ? std::abs(micro - macro) / most : 0.0;
 }
 } // namespace tamp::dem

@@ -16,11 +16,14 @@ namespace tamp::dem
 /// @param cell    after the increment
 /// @param back    U^-1 of the increment
 /// @param motion  per grain: non-affine displacement, radius x rotation [m]
+/// @param least   what sum |f . du| counts as at least: there is none to
+///                compare with where next to nothing is strained [J]
 /// Source: Hill (1963), J. Mech. Phys. Solids 11:357, for discrete periodic
 /// media.
 double hill_mandel_residual(const UnitCell &cell,
                             const Matrix3 &back,
-                            std::span<const double> motion);
+                            std::span<const double> motion,
+                            double least = 0);
 } // namespace tamp::dem
 
 #endif

@@ -204,7 +204,8 @@ void Increment<T>::adopt(CellAnswer &answer)
   layout_.read_memories(cell_);
   cell_.last = {log_stretch_, motion()};
   answer.stress = love_weber_stress(cell_);
-  answer.hill_mandel = hill_mandel_residual(cell_, back_, cell_.last.motion);
+  answer.hill_mandel = hill_mandel_residual(
+      cell_, back_, cell_.last.motion, elastic_energy(cell_));
   cell_.energy.work +=
       0.25 * (old_volume + cell_.box.volume()) *
       ((old_stress + answer.stress).array() * log_stretch_.array()).sum();

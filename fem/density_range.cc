@@ -25,4 +25,12 @@ DensityRange density_range(const Compact &compact)
           -compact.ranks().largest(-smallest),
           compact.ranks().largest(largest)};
 }
+
+std::vector<double> relative_densities(const Compact &compact)
+{
+  std::vector<double> result;
+  for (const Response &response : compact.state().responses)
+    result.push_back(response.relative_density);
+  return compact.whole(result);
+}
 } // namespace tamp::fem

@@ -2,6 +2,8 @@
 #ifndef fem_density_range_h
 #define fem_density_range_h
 
+#include <vector>
+
 namespace tamp::fem
 {
 class Compact;
@@ -14,6 +16,9 @@ struct DensityRange {
 
 /// Those of the accepted state. Collective.
 DensityRange density_range(const Compact &compact);
+
+/// Of every point, in the accepted state, on every rank [-]. Collective.
+std::vector<double> relative_densities(const Compact &compact);
 } // namespace tamp::fem
 
 #endif

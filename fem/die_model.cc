@@ -10,7 +10,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 namespace tamp::fem
@@ -23,15 +22,6 @@ constexpr double largest_concentration = 10;
 /// A compact that is let go has corners that bear little: points under less
 /// than this share of the largest mean pressure of the punch.
 constexpr double bearing_share = 0.05;
-
-/// Of all points, on every rank.
-std::vector<double> relative_densities(const Compact &compact)
-{
-  std::vector<double> result;
-  for (const Response &response : compact.state().responses)
-    result.push_back(response.relative_density);
-  return compact.whole(result);
-}
 } // namespace
 
 struct DieModel::Implementation {
@@ -68,8 +58,8 @@ struct DieModel::Implementation {
         equilibrium(
             press, chosen.solver, largest_concentration * chosen.steps.maximum),
         area(punch_area(data, upper_punch)),
-        upper_edge(edge_height(data.nodes, upper_punch)),
-        lower_edge(edge_height(data.nodes, lower_punch)), schedule(chosen)
+        upper_edge(edge_height(data, upper_punch, data.nodes)),
+        lower_edge(edge_height(data, lower_punch, data.nodes)), schedule(chosen)
   {
     if (stored.empty()) {
       observe();
@@ -107,20 +97,6 @@ struct DieModel::Implementation {
       throw std::runtime_error("the stored state is that of another model");
   }
 
-  /// z of the highest node where a punch meets the die, or of its highest node
-  /// at all [m].
-  double edge_height(const NodePositions &positions, Tool punch) const
-  {
-    const auto &wall = mesh.tools[die_wall].nodes;
-    double edge = -std::numeric_limits<double>::infinity(), any = edge;
-    for (const unsigned node : mesh.tools[punch].nodes) {
-      any = std::max(any, positions[node][2]);
-      if (std::binary_search(wall.begin(), wall.end(), node))
-        edge = std::max(edge, positions[node][2]);
-    }
-    return std::isfinite(edge) ? edge : any;
-  }
-
   /// How far the compact's lower edge is below that of its punch, and a little
   /// more: as it springs back it slides down a domed face [m].
   double lag(const NodePositions &positions) const
@@ -152,7 +128,7 @@ struct DieModel::Implementation {
     const DensityRange density = density_range(press.compact());
     const Extent now = extent(press.compact().state().positions);
     const auto &positions = press.compact().state().positions;
-    state.top = edge_height(positions, upper_punch);
+    state.top = edge_height(mesh, upper_punch, positions);
     state.bottom = lower_edge + press.tools()[lower_punch];
     state.rim = upper_edge + press.tools()[die_wall];
     state.fill_height = upper_edge - lower_edge;

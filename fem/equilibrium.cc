@@ -17,8 +17,8 @@ namespace
 /// of a usual step: with a material that is not exact a small step, of which
 /// its noise is a larger part, would else converge worse than a large one.
 constexpr double smallest_displacement = 5e-3;
-/// Updates without a new best residual after which an attempt is given up, and
-/// those after which the best is taken if it is within `slack` tolerances.
+/// Updates without progress after which an attempt is given up, and those after
+/// which the nearest state is taken if it is within `slack` tolerances.
 constexpr unsigned patience = 6, short_patience = 4;
 constexpr double slack = 10;
 

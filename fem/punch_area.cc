@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fem/punch_area.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <numeric>
 
@@ -53,5 +55,19 @@ double mean_height(const Mesh &mesh,
     sum += areas[node] * positions[node][2];
   }
   return sum / area;
+}
+
+double edge_height(const Mesh &mesh,
+                   Tool punch,
+                   const std::vector<dealii::Tensor<1, 3>> &positions)
+{
+  const auto &wall = mesh.tools[die_wall].nodes;
+  double edge = -std::numeric_limits<double>::infinity(), any = edge;
+  for (const unsigned node : mesh.tools[punch].nodes) {
+    any = std::max(any, positions[node][2]);
+    if (std::binary_search(wall.begin(), wall.end(), node))
+      edge = std::max(edge, positions[node][2]);
+  }
+  return std::isfinite(edge) ? edge : any;
 }
 } // namespace tamp::fem

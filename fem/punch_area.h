@@ -20,6 +20,12 @@ double punch_area(const Mesh &mesh, Tool punch);
 double mean_height(const Mesh &mesh,
                    Tool punch,
                    const std::vector<dealii::Tensor<1, 3>> &positions);
+
+/// z of the highest of these positions of nodes where a punch meets the die at
+/// the start, or of the highest that it touches at all [m].
+double edge_height(const Mesh &mesh,
+                   Tool punch,
+                   const std::vector<dealii::Tensor<1, 3>> &positions);
 } // namespace tamp::fem
 
 #endif
