@@ -148,7 +148,7 @@ TEST(CohesiveDie, AStateOfGrainsThatPartedDoesNotPass)
       bench.attempt(-0.03 * settings.geometry.fill_height, bench.equilibrium);
   // Though the punch took all of its force back.
   if (attempt.converged)
-    bench.equilibrium.refuse_opening({.kept_pressure = 0}, attempt);
+    bench.equilibrium.refuse_opening({0, 0, 0, {}}, attempt);
   EXPECT_FALSE(attempt.converged);
 }
 } // namespace tamp::coupling
