@@ -177,6 +177,9 @@ private:
         trial);
     say_stages(report_, "Schedule", stages);
     work.steps = sum_of_steps(stages);
+    work.relative_density =
+        std::ranges::max(stages, {}, &ExpectedStage::relative_density)
+            .relative_density;
     say_memory(report_, input, trial, work, true, program_);
     std::unique_ptr<DieTrial> die;
     // Cells cost so much more than finite elements that these are left out.

@@ -36,7 +36,9 @@ struct Workload {
   double steps = 0;
   double increment = 0;        ///< strain of a step [-]
   double updates_per_step = 1; ///< evaluations of all points
-  std::size_t packings = 0;    ///< that are made; 0: they are read
+  /// The largest mean one that is met; none that is solid: not known [-].
+  double relative_density = 1;
+  std::size_t packings = 0; ///< that are made; 0: they are read
   unsigned threads = 1;
 };
 

@@ -96,7 +96,7 @@ public:
 
   ExpectedStage next(const Stage &stage)
   {
-    ExpectedStage expected{text_of(stage), guess, {}};
+    ExpectedStage expected{text_of(stage), guess, 0, {}};
     switch (stage.kind) {
     case StageKind::press:
       press(stage, expected);
@@ -112,6 +112,7 @@ public:
     case StageKind::hold:
       expected.steps = stage.steps;
     }
+    expected.relative_density = density_;
     return expected;
   }
 
@@ -217,7 +218,7 @@ std::vector<ExpectedStage> expected_stages(const ProbePath &path)
     if (!stage.gradients.empty())
       steps = double(stage.gradients.size());
     stages.push_back(
-        {stage.name, std::max<double>(steps, stage.minimum_steps), {}});
+        {stage.name, std::max<double>(steps, stage.minimum_steps), 0, {}});
   }
   if (!path.increments.empty() && !stages.empty())
     stages.front().steps = double(path.increments.size());

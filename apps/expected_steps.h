@@ -15,7 +15,8 @@ namespace tamp::apps
 struct ExpectedStage {
   std::string text; ///< the stage in words
   double steps = 0;
-  std::string doubt; ///< of what the stage asks for; or empty
+  double relative_density = 0; ///< mean, at its end; 0: not known
+  std::string doubt;           ///< of what the stage asks for; or empty
 };
 
 /// What a schedule starts from.

@@ -87,9 +87,6 @@ public:
       look_at(
           material_.cells->cell(0), whole, -trace(start.stress) / 3, trial_);
     press();
-    std::vector<char> bytes;
-    material_.points->pack(0, bytes);
-    trial_.bytes = double(bytes.size());
     return std::move(trial_);
   }
 
@@ -110,8 +107,11 @@ private:
       return response;
     }
     material_.points->commit();
-    trial_.states.push_back(
-        {response.relative_density, 0 - response.stress[2][2]});
+    std::vector<char> bytes;
+    material_.points->pack(0, bytes);
+    trial_.states.push_back({response.relative_density,
+                             0 - response.stress[2][2],
+                             double(bytes.size())});
     return response;
   }
 
@@ -148,6 +148,14 @@ std::optional<double> MaterialTrial::density_at(double axial_pressure) const
     if (state.axial_pressure >= axial_pressure)
       return state.relative_density;
   return {};
+}
+
+double MaterialTrial::bytes_at(double relative_density) const
+{
+  for (const State &state : states)
+    if (state.relative_density >= relative_density)
+      return state.bytes;
+  return states.empty() ? 0 : states.back().bytes;
 }
 
 MaterialTrial try_material(const coupling::MaterialChoice &choice,

@@ -19,13 +19,13 @@ struct MaterialTrial {
   struct State {
     double relative_density; ///< [-]
     double axial_pressure;   ///< [Pa]
+    double bytes;            ///< that it takes, as stored
   };
   /// The start and the state after each step; ends when the powder is nearly
   /// solid, the time is over or the material fails.
   std::vector<State> states;
   double increment = 0;        ///< logarithmic strain of a step [-]
   double seconds_per_step = 0; ///< mean
-  double bytes = 0;            ///< of a state
   std::string problem;         ///< of a material that failed; else empty
   bool out_of_time = false;
 
@@ -41,6 +41,8 @@ struct MaterialTrial {
 
   /// Density at which the axial pressure is first met; none if it was not.
   std::optional<double> density_at(double axial_pressure) const;
+  /// Of the first state that is as dense, or of the last one [B].
+  double bytes_at(double relative_density) const;
 };
 
 /// Presses a point in steps of this strain. Dynamics, whose cost is

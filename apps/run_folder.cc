@@ -11,6 +11,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <sys/resource.h>
 
 namespace tamp::apps
 {
@@ -225,6 +226,13 @@ double RunRecord::cpu_time() const
   return earlier_cpu_time + static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
+double RunRecord::peak_memory()
+{
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024. * double(usage.ru_maxrss);
+}
+
 std::string RunRecord::json() const
 {
   const BuildFacts facts = build_facts();
@@ -242,6 +250,7 @@ std::string RunRecord::json() const
   tree["threads"] = threads;
   tree["wall_time[s]"] = wall_time();
   tree["cpu_time[s]"] = cpu_time();
+  tree["peak_memory[B]"] = peak_memory();
   if (!resumed_after.empty())
     tree["resumed_after_steps"] = resumed_after;
   tree["status"] = status;
@@ -285,6 +294,8 @@ std::string RunRecord::summary() const
   row("wall time", seconds(wall));
   row(ranks > 1 ? "CPU time of the first rank" : "CPU time",
       seconds(cpu_time()));
+  row(ranks > 1 ? "peak memory of the first rank" : "peak memory",
+      fmt::format("{:.0f} MB", peak_memory() / 1e6));
   row("ranks", fmt::format("{}", ranks));
   row(ranks > 1 ? "threads of each rank" : "threads",
       fmt::format("{}", threads));

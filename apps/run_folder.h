@@ -68,6 +68,8 @@ struct RunRecord {
 
   double wall_time() const; ///< all parts of the run, until now [s]
   double cpu_time() const;  ///< likewise, of this rank [s]
+  /// The most that this process has held at a time, libraries included [B].
+  static double peak_memory();
 
   /// For run.json.
   std::string json() const;
