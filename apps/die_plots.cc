@@ -31,7 +31,6 @@ set xlabel "mean relative density [-]"
 set ylabel "punch pressure [MPa]"
 set logscale y
 set format y "%g"
-set key left top
 density = "mean_relative_density[-]"
 stats "../curve.csv" using (column("upper_pressure[Pa]") > column("lower_pressure[Pa]") ? column("upper_pressure[Pa]") : column("lower_pressure[Pa]")) nooutput
 most = STATS_max / 1e6
@@ -49,7 +48,6 @@ Plot pressures()
           R"(set title "Pressures on the tools"
 set xlabel "step"
 set ylabel "pressure [MPa]"
-set key right top
 plot "../curve.csv" using (column("step")):(column("upper_pressure[Pa]") / 1e6) with lines title "upper punch", \
      "" using (column("step")):(column("lower_pressure[Pa]") / 1e6) with lines title "lower punch", \
      "" using (column("step")):(column("wall_pressure[Pa]") / 1e6) with lines title "die wall"
@@ -62,7 +60,6 @@ Plot forces(const DiePlotFacts &facts)
           fmt::format(R"(set title "Forces while pressing and unloading"
 set xlabel "approach of the punches [mm]"
 set ylabel "force [kN]"
-set key left top
 approach(x) = ({}) ? (column("upper_displacement[m]") + column("lower_displacement[m]")) * 1e3 : NaN
 plot "../curve.csv" using (approach(0)):(column("upper_force[N]") / 1e3) with lines title "upper punch", \
      "" using (approach(0)):(column("lower_force[N]") / 1e3) with lines title "lower punch", \
@@ -78,7 +75,6 @@ Plot stress_path(const DiePlotFacts &facts)
           fmt::format(R"(set title "Radial against axial pressure"
 set xlabel "mean pressure of the punches [MPa]"
 set ylabel "pressure on the die wall [MPa]"
-set key left top
 axial(use) = use ? (column("upper_pressure[Pa]") + column("lower_pressure[Pa]")) / 2e6 : NaN
 wall(name) = column(name) / 1e6
 plot "../curve.csv" using (axial({})):(wall("wall_pressure[Pa]")) with lines title "pressing"{}
@@ -98,7 +94,6 @@ Plot transmission(const DiePlotFacts &facts)
       fmt::format(R"(set title "Transmission of the punch force while pressing"
 set xlabel "mean relative density [-]"
 set ylabel "ratio [-]"
-set key at graph 0.98, graph 0.72
 set yrange [0:1.05]
 larger(a, b) = a > b ? a : b
 press(part, whole) = ({}) && whole > 0 ? part / whole : NaN
@@ -114,7 +109,6 @@ Plot ejection(const DiePlotFacts &facts)
           fmt::format(R"(set title "Ejection"
 set xlabel "travel of the compact in the die [mm]"
 set ylabel "force [kN]"
-set key right top
 set yrange [0:*]
 travel(x) = ({}) && x > 0 ? x * 1e3 : NaN
 lift(x) = column("lower_displacement[m]") - column("die_displacement[m]") - {}
@@ -131,7 +125,6 @@ Plot spring_back(const DiePlotFacts &facts)
           fmt::format(R"(set title "Spring-back since the peak"
 set xlabel "travel of the compact in the die [mm]"
 set ylabel "change of length [%]"
-set key left top
 lift(x) = ({}) ? (column("lower_displacement[m]") - column("die_displacement[m]") - {}) * 1e3 : NaN
 change(name, peak) = 100 * (column(name) / peak - 1)
 plot "../curve.csv" using (lift(0)):(change("compact_height[m]", {})) with lines title "height", \
@@ -149,7 +142,6 @@ Plot effort()
           R"(set title "Iterations and evaluations of all points"
 set xlabel "step"
 set ylabel "number per step [-]"
-set key right top
 set yrange [0:*]
 plot "../curve.csv" using (column("step")):(column("cell_updates[-]")) with steps title "cell updates", \
      "" using (column("step")):(column("iterations[-]")) with steps title "iterations of the accepted step"

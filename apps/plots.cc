@@ -25,7 +25,7 @@ set datafile columnheaders
 set border 3 linewidth 1.5 linecolor rgb "#444444"
 set tics nomirror out scale 0.6 textcolor rgb "#222222"
 set grid linecolor rgb "#dddddd" linetype 1 linewidth 1
-set key noenhanced Left reverse spacing 1.2
+set key noenhanced Left reverse spacing 1.2 tmargin center horizontal
 set linetype 1 linecolor rgb "#0b6e99" linewidth 3.5 pointtype 7
 set linetype 2 linecolor rgb "#d1495b" linewidth 3.5 pointtype 7
 set linetype 3 linecolor rgb "#edae49" linewidth 3.5 pointtype 7
@@ -175,7 +175,6 @@ set xlabel "relative density [-]"
 set ylabel "stress [MPa]"
 set logscale y
 set format y "%g"
-set key left top
 density = "relative_density[-]"
 mega(name) = column(name) > 0 ? column(name) / 1e6 : NaN
 plot "../curve.csv" using (column(density)):(mega("axial_stress[Pa]")) with points pointsize 0.5 title "axial", \
@@ -185,7 +184,6 @@ plot "../curve.csv" using (column(density)):(mega("axial_stress[Pa]")) with poin
            R"(set title "Coordination of the grains"
 set xlabel "relative density [-]"
 set ylabel "contacts per grain [-]"
-set key left top
 density = "relative_density[-]"
 plot "../curve.csv" using (column(density)):(column("coordination_number[-]")) with points pointsize 0.5 title "all grains", \
      "" using (column(density)):(column("mechanical_coordination_number[-]")) with points pointsize 0.5 title "grains that carry load"
@@ -198,7 +196,6 @@ std::vector<Plot> probe_plots(bool unit_cell)
                            R"(set title "Stress against strain"
 set xlabel "axial strain {/Symbol e}_{zz} [-]"
 set ylabel "stress [MPa]"
-set key left top
 strain = "strain_zz[-]"
 plot "../curve.csv" using (column(strain)):(column("stress_zz[Pa]") / 1e6) with lines title "axial", \
      "" using (column(strain)):((column("stress_xx[Pa]") + column("stress_yy[Pa]")) / 2e6) with lines title "lateral"
@@ -226,7 +223,6 @@ plot "../curve.csv" using (column("pressure[Pa]") / 1e6):(column("deviatoric_str
                    R"(set title "Coordination of the grains"
 set xlabel "axial strain {/Symbol e}_{zz} [-]"
 set ylabel "contacts per grain [-]"
-set key right bottom
 strain = "strain_zz[-]"
 plot "../curve.csv" using (column(strain)):(column("coordination_number[-]")) with lines title "all grains", \
      "" using (column(strain)):(column("mechanical_coordination_number[-]")) with lines title "grains that carry load"
@@ -236,7 +232,6 @@ plot "../curve.csv" using (column(strain)):(column("coordination_number[-]")) wi
 set xlabel "axial strain {/Symbol e}_{zz} [-]"
 set ylabel "share of the contacts [-]"
 set yrange [0:1.05]
-set key right center
 strain = "strain_zz[-]"
 share(name) = column("contacts[-]") > 0 ? column(name) / column("contacts[-]") : NaN
 plot "../curve.csv" using (column(strain)):(share("plastic_contacts[-]")) with lines title "plastic", \
