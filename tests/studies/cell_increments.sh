@@ -4,7 +4,10 @@
 # how well it is balanced: uniaxial strain of 0.2, several packings of 200
 # grains. A minute or two.
 #
-#   [TAMP=PROGRAM] tests/studies/cell_increments.sh [SEEDS]
+#   [TAMP=PROGRAM] tests/studies/cell_increments.sh [SEEDS [VARIANTS]]
+#
+# A variant is INCREMENT/UNBALANCE; "1e-4/1e-3 1e-5/1e-3" is what explicit
+# dynamics of a die would take.
 #
 # The reference of a packing is its answer with the smallest increments and the
 # sharpest balance. Bias: mean difference from it over seeds; noise: the
@@ -33,8 +36,8 @@ answers() {
     ($1 > 0.2 - 1e-6 && $1 < 0.2 + 1e-6) { printf "%.2f %s %s\n", $1, $2, sweeps }'
 }
 
-variants="2e-2/1e-3 1e-2/1e-3 5e-3/1e-3 2e-3/1e-3 1e-3/1e-3 5e-4/1e-3 \
-  2e-4/1e-3 5e-3/1e-2 1e-3/1e-2 5e-3/1e-4 1e-3/1e-4"
+variants=${2:-"2e-2/1e-3 1e-2/1e-3 5e-3/1e-3 2e-3/1e-3 1e-3/1e-3 5e-4/1e-3 \
+  2e-4/1e-3 5e-3/1e-2 1e-3/1e-2 5e-3/1e-4 1e-3/1e-4"}
 for seed in $(seq "$seeds"); do
   path "reference_$seed" "$seed" 2e-4 1e-4
   for variant in $variants; do
