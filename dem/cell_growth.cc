@@ -80,6 +80,7 @@ double unstored_work(const UnitCell &cell, double kinetic_energy)
 {
   const EnergyAccount &energy = cell.energy;
   return energy.work - energy.friction_dissipation -
-         energy.damping_dissipation - elastic_energy(cell) - kinetic_energy;
+         energy.damping_dissipation - survey_contacts(cell).elastic_energy -
+         kinetic_energy;
 }
 } // namespace tamp::dem

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <dem/hill_mandel.h>
-#include <dem/measures.h>
 
 #include <Eigen/Geometry>
 
@@ -10,6 +9,7 @@
 namespace tamp::dem
 {
 double hill_mandel_residual(const UnitCell &cell,
+                            std::span<const ContactForce> forces,
                             const Matrix3 &back,
                             std::span<const double> motion,
                             double least)
@@ -17,7 +17,7 @@ double hill_mandel_residual(const UnitCell &cell,
   const Matrix3 gradient = Matrix3::Identity() - back;
   Matrix3 stress = Matrix3::Zero();
   double micro = 0, traffic = 0;
-  for (const ContactForce &c : contact_forces(cell)) {
+  for (const ContactForce &c : forces) {
     const auto [i, j] = c.pair;
     const Vector3 n = c.branch.normalized();
     const Vector3 force = c.normal_force * n - c.tangential_force;

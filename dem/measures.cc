@@ -3,7 +3,6 @@
 #include <dem/measures.h>
 
 #include <algorithm>
-#include <utility>
 
 namespace tamp::dem
 {
@@ -57,69 +56,36 @@ bool slides(const AnyTangentialLaw &law,
   return cap > 0 && tangential.norm() >= (1 - round_off) * cap;
 }
 
-/// Adds the contact if it touches.
-void add_force(std::vector<ContactForce> &forces, const Visited &visited)
+/// Adds what a contact says: its energy, and its force if it touches.
+void add(ContactSurvey &survey, const Visited &visited)
 {
-  // Laws write into the memory that they are given.
-  const auto [push, plastic] = std::visit(
-      [&](const auto &law) {
-        NormalMemory<double> memory = visited.memory;
-        const NormalAnswer<double> answer =
-            law(visited.overlap, visited.shape, memory);
-        return std::pair(answer, law.is_plastic(visited.shape, memory));
-      },
-      visited.laws.normal);
-  const Vector3 &tangential = visited.contact.tangential_force;
-  if (push.contact_radius > 0)
-    forces.push_back({visited.contact.pair,
-                      visited.branch,
-                      push.force,
-                      tangential,
-                      visited.overlap,
-                      plastic,
-                      slides(visited.laws.tangential, push, tangential)});
-}
-
-struct ContactEnergy {
-  double elastic = 0, dissipated = 0;
-};
-
-void add_energy(ContactEnergy &sum, const Visited &visited)
-{
-  const NormalEnergy normal = std::visit(
-      [&](const auto &law) {
-        return law.energy(visited.overlap, visited.shape, visited.memory);
-      },
-      visited.laws.normal);
-  sum.elastic += normal.elastic;
-  sum.dissipated += normal.dissipated;
-}
-
-/// What the tangential and the rolling spring hold [J].
-double held_in_springs(const Visited &visited)
-{
-  const PairLaws &laws = visited.laws;
-  const NormalAnswer<double> push = std::visit(
-      [&](const auto &law) {
-        NormalMemory<double> memory = visited.memory;
-        return law(visited.overlap, visited.shape, memory);
-      },
-      laws.normal);
   const Vector3 &t = visited.contact.tangential_force;
-  return spring_energy(laws,
-                       visited.shape,
-                       push,
-                       {t.x(), t.y(), t.z()},
-                       visited.memory.more + laws.normal_more());
-}
-
-Matrix3 stress_of(const std::vector<ContactForce> &forces, double volume)
-{
-  Matrix3 sum = Matrix3::Zero();
-  for (const ContactForce &c : forces)
-    sum -= (c.normal_force * c.branch.normalized() - c.tangential_force) *
-           c.branch.transpose();
-  return sum / volume;
+  std::visit(
+      [&](const auto &law) {
+        // Before the law writes into the memory that it is given.
+        const NormalEnergy energy =
+            law.energy(visited.overlap, visited.shape, visited.memory);
+        survey.plastic_loss += energy.dissipated;
+        survey.elastic_energy += energy.elastic;
+        NormalMemory<double> memory = visited.memory;
+        const NormalAnswer<double> push =
+            law(visited.overlap, visited.shape, memory);
+        survey.elastic_energy +=
+            spring_energy(visited.laws,
+                          visited.shape,
+                          push,
+                          {t.x(), t.y(), t.z()},
+                          visited.memory.more + visited.laws.normal_more());
+        if (push.contact_radius > 0)
+          survey.forces.push_back({visited.contact.pair,
+                                   visited.branch,
+                                   push.force,
+                                   t,
+                                   visited.overlap,
+                                   law.is_plastic(visited.shape, memory),
+                                   slides(visited.laws.tangential, push, t)});
+      },
+      visited.laws.normal);
 }
 
 void count_grains(const UnitCell &cell,
@@ -140,32 +106,39 @@ void count_grains(const UnitCell &cell,
 }
 } // namespace
 
+ContactSurvey survey_contacts(const UnitCell &cell)
+{
+  ContactSurvey survey;
+  survey.forces.reserve(cell.contacts.size());
+  for_each_contact(cell, [&](const Visited &visited) { add(survey, visited); });
+  return survey;
+}
+
 std::vector<ContactForce> contact_forces(const UnitCell &cell)
 {
-  std::vector<ContactForce> result;
-  result.reserve(cell.contacts.size());
-  for_each_contact(cell,
-                   [&](const Visited &visited) { add_force(result, visited); });
-  return result;
+  return survey_contacts(cell).forces;
+}
+
+Matrix3 love_weber_stress(std::span<const ContactForce> forces, double volume)
+{
+  Matrix3 sum = Matrix3::Zero();
+  for (const ContactForce &c : forces)
+    sum -= (c.normal_force * c.branch.normalized() - c.tangential_force) *
+           c.branch.transpose();
+  return sum / volume;
 }
 
 Matrix3 love_weber_stress(const UnitCell &cell)
 {
-  return stress_of(contact_forces(cell), cell.box.volume());
+  return love_weber_stress(survey_contacts(cell).forces, cell.box.volume());
 }
 
 CellMeasures measure(const UnitCell &cell)
 {
-  std::vector<ContactForce> forces;
-  forces.reserve(cell.contacts.size());
-  ContactEnergy energy;
-  for_each_contact(cell, [&](const Visited &visited) {
-    add_energy(energy, visited); // before a law writes into its own memory
-    energy.elastic += held_in_springs(visited);
-    add_force(forces, visited);
-  });
+  const ContactSurvey survey = survey_contacts(cell);
+  const std::vector<ContactForce> &forces = survey.forces;
   CellMeasures result;
-  const Matrix3 stress = stress_of(forces, cell.box.volume());
+  const Matrix3 stress = love_weber_stress(forces, cell.box.volume());
   result.stress = 0.5 * (stress + stress.transpose());
   if (const double size = stress.norm(); size > 0)
     result.asymmetry = 0.5 * (stress - stress.transpose()).norm() / size;
@@ -184,25 +157,7 @@ CellMeasures measure(const UnitCell &cell)
   result.backbone = find_backbone(cell, forces);
   result.rattlers = result.backbone.rattlers;
   result.relative_density = cell.relative_density();
-  result.elastic_energy = energy.elastic;
+  result.elastic_energy = survey.elastic_energy;
   return result;
-}
-
-double elastic_energy(const UnitCell &cell)
-{
-  ContactEnergy energy;
-  for_each_contact(cell, [&](const Visited &visited) {
-    add_energy(energy, visited);
-    energy.elastic += held_in_springs(visited);
-  });
-  return energy.elastic;
-}
-
-double plastic_loss(const UnitCell &cell)
-{
-  ContactEnergy energy;
-  for_each_contact(
-      cell, [&](const Visited &visited) { add_energy(energy, visited); });
-  return energy.dissipated;
 }
 } // namespace tamp::dem

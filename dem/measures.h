@@ -8,6 +8,7 @@
 #include <dem/unit_cell.h>
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace tamp::dem
@@ -22,13 +23,25 @@ struct ContactForce {
   bool plastic = false, sliding = false;
 };
 
-/// All contacts that touch, in the order of the cell's memory.
+/// What all contacts of a cell say, in one pass over them.
+struct ContactSurvey {
+  std::vector<ContactForce> forces; ///< of those that touch, in the order of
+                                    ///< the cell's memory
+  double elastic_energy = 0; ///< stored in all [J]
+  /// What the normal laws have turned into heat in the contacts that there are
+  /// [J].
+  double plastic_loss = 0;
+};
+
+ContactSurvey survey_contacts(const UnitCell &cell);
 std::vector<ContactForce> contact_forces(const UnitCell &cell);
 
 /// Cauchy stress of the contact forces, tension positive, not symmetrised [Pa]:
 /// sigma = -1/V sum f (x) l, f the force of first on second.
 /// Source: Love (1927); Weber (1966); Christoffersen et al. (1981), J. Appl.
 /// Mech. 48:339.
+/// @param volume  of the cell [m3]
+Matrix3 love_weber_stress(std::span<const ContactForce> forces, double volume);
 Matrix3 love_weber_stress(const UnitCell &cell);
 
 /// What is worth knowing of a packing.
@@ -51,12 +64,6 @@ struct CellMeasures {
 };
 
 CellMeasures measure(const UnitCell &cell);
-
-/// What the normal laws have turned into heat in the contacts that there are
-/// [J].
-double plastic_loss(const UnitCell &cell);
-/// Energy stored in all contacts [J].
-double elastic_energy(const UnitCell &cell);
 } // namespace tamp::dem
 
 #endif

@@ -141,7 +141,7 @@ void MotionIn<T>::list_pairs()
 {
   layout_.list_pairs(cell_, cell_.box, cell_.place, affine_.stretch);
   layout_.read_memories(cell_);
-  plastic_loss_ = plastic_loss(cell_);
+  plastic_loss_ = survey_contacts(cell_).plastic_loss;
   listed_ = cell_.place;
   for (MovingGrain &grain : grains_)
     std::ranges::fill(grain.moved, 0.0);
@@ -156,7 +156,7 @@ void MotionIn<T>::write_cell()
   for (std::size_t i = 0; i < grains_.size(); ++i)
     cell_.place[i] = listed_[i] + inverse * head(grains_[i].moved);
   layout_.read_memories(cell_);
-  const double loss = plastic_loss(cell_);
+  const double loss = survey_contacts(cell_).plastic_loss;
   cell_.energy.plastic_dissipation += loss - plastic_loss_;
   plastic_loss_ = loss;
 }
@@ -333,7 +333,7 @@ double MotionIn<T>::hill_mandel() const
     motion.insert(motion.end(), moved.begin(), moved.end());
     motion.insert(motion.end(), row.motion + 4, row.motion + 7);
   }
-  return hill_mandel_residual(cell_, step_back_, motion);
+  return hill_mandel_residual(cell_, contact_forces(cell_), step_back_, motion);
 }
 } // namespace
 

@@ -191,29 +191,34 @@ CellAnswer Increment<T>::relax()
 template <class T>
 void Increment<T>::adopt(CellAnswer &answer)
 {
-  const Matrix3 old_stress = love_weber_stress(cell_);
+  const ContactSurvey before = survey_contacts(cell_);
+  const Matrix3 old_stress =
+      love_weber_stress(before.forces, cell_.box.volume());
   const double old_volume = cell_.box.volume();
+  const std::size_t old_contacts = cell_.contacts.size();
   layout_.read_memories(cell_); // without pairs that have parted for good
-  // Where grains grow the loss is what the work leaves, see step().
-  const bool grow = grains_grow(cell_);
-  const double old_loss = grow ? 0 : plastic_loss(cell_);
+  const double old_loss = cell_.contacts.size() == old_contacts
+                              ? before.plastic_loss
+                              : survey_contacts(cell_).plastic_loss;
   const SweepTotals totals = layout_.sweep(affine_, {Memory::written});
   cell_.box = box_;
   for (std::size_t i = 0; i < place_.size(); ++i)
     cell_.place[i] += inverse_box_ * Vector3(grains_[i].position);
   layout_.read_memories(cell_);
   cell_.last = {log_stretch_, motion()};
-  answer.stress = love_weber_stress(cell_);
+  const ContactSurvey after = survey_contacts(cell_);
+  answer.stress = love_weber_stress(after.forces, cell_.box.volume());
   answer.hill_mandel = hill_mandel_residual(
-      cell_, back_, cell_.last.motion, elastic_energy(cell_));
+      cell_, after.forces, back_, cell_.last.motion, after.elastic_energy);
   cell_.energy.work +=
       0.25 * (old_volume + cell_.box.volume()) *
       ((old_stress + answer.stress).array() * log_stretch_.array()).sum();
   cell_.energy.friction_dissipation += totals.lost_work;
   cell_.energy.adhesion_dissipation += totals.adhesion_loss;
-  if (!grow)
+  // Where grains grow the loss is what the work leaves, see step().
+  if (!grains_grow(cell_))
     cell_.energy.plastic_dissipation +=
-        plastic_loss(cell_) - old_loss + totals.forgotten_loss;
+        after.plastic_loss - old_loss + totals.forgotten_loss;
 }
 
 /// One increment with or without a guess.
