@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <apps/csv_line.h>
+#include <apps/csv_reader.h>
 #include <apps/size_table_file.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
-#include <fstream>
 #include <numeric>
 #include <optional>
 #include <string>
@@ -39,107 +38,63 @@ constexpr const char *expected_header =
 class SizeTableReader
 {
 public:
-  explicit SizeTableReader(const std::filesystem::path &file) : file_(file) {}
+  explicit SizeTableReader(const std::filesystem::path &file)
+      : reader_(file, "size table")
+  {
+  }
 
   dem::GrainSizes read()
   {
-    std::ifstream in(file_);
-    if (!std::filesystem::is_regular_file(file_) || !in)
-      throw InputError(
-          fmt::format("there is no size table '{}'", file_.string()));
-    std::string text;
-    while (std::getline(in, text)) {
-      ++line_;
-      const std::string line(trimmed(text));
-      if (line.empty() || line.front() == '#')
-        continue;
-      if (!share_)
-        take_header(line);
-      else
-        take_line(line);
-    }
-    if (!share_)
-      complain(expected_header);
+    find_columns();
+    while (reader_.next())
+      take_line();
     return finish();
   }
 
 private:
-  [[noreturn]] void complain(const std::string &problem) const
+  void find_columns()
   {
-    throw InputError(
-        fmt::format("{}:{}: {}", file_.string(), std::max(line_, 1u), problem));
-  }
-
-  std::optional<double> factor(const std::string &field,
-                               const std::string &name,
-                               const Dimension &dimension) const
-  {
-    try {
-      return column_factor(field, name, dimension);
-    } catch (const InputError &error) {
-      complain(error.what());
-    }
-  }
-
-  void take_header(const std::string &line)
-  {
-    const auto fields = fields_of(line);
-    std::optional<double> length;
-    for (std::size_t k = 0; k < fields.size(); ++k) {
-      if (const auto found = factor(fields[k], "diameter", dimension::length)) {
-        if (length)
-          complain("there are two columns 'diameter'");
-        length = found;
-        diameter_column_ = k;
+    diameter_ = reader_.find("diameter", dimension::length);
+    for (const ShareColumn &column : share_columns)
+      if (const auto found = reader_.find(column.name, dimension::number)) {
+        if (share_)
+          reader_.complain(
+              fmt::format("both '{}' and '{}' are shares; expected one",
+                          share_->name,
+                          column.name));
+        share_ = &column;
+        share_value_ = found;
       }
-      for (const ShareColumn &column : share_columns)
-        if (const auto found =
-                factor(fields[k], column.name, dimension::number)) {
-          if (share_)
-            complain(fmt::format("both '{}' and '{}' are shares; expected one",
-                                 share_->name,
-                                 column.name));
-          share_ = &column;
-          share_factor_ = *found;
-          share_column_ = k;
-        }
-    }
-    if (!length || !share_)
-      complain(expected_header);
-    length_factor_ = *length;
-    columns_ = fields.size();
+    if (!diameter_ || !share_)
+      reader_.complain(expected_header);
   }
 
-  void take_line(const std::string &line)
+  void take_line()
   {
-    const auto fields = fields_of(line);
-    if (fields.size() != columns_)
-      complain(fmt::format("'{}': expected {} values, as in the header, not {}",
-                           line,
-                           columns_,
-                           fields.size()));
-    const auto diameter = number_of(fields[diameter_column_]),
-               share = number_of(fields[share_column_]);
-    if (!diameter || !(*diameter > 0))
-      complain(fmt::format("'{}': expected a diameter above 0",
-                           fields[diameter_column_]));
-    if (!share || *share < 0)
-      complain(fmt::format("'{}': expected a share of at least 0",
-                           fields[share_column_]));
-    const dem::SizeShare next{*diameter * length_factor_,
-                              *share * share_factor_};
-    if (!lines_.empty()) {
-      if (next.diameter < lines_.back().diameter)
-        complain(fmt::format("'{}': expected diameters that rise",
-                             fields[diameter_column_]));
-      if (share_->cumulative && next.below < lines_.back().below)
-        complain(fmt::format("'{}': expected cumulative shares that rise",
-                             fields[share_column_]));
-    } else if (share_->cumulative && next.below > 0)
-      complain(fmt::format(
-          "'{}': expected 0, the share below the smallest diameter: put a line "
-          "with the diameter that no grain is smaller than before this one",
-          fields[share_column_]));
+    const dem::SizeShare next{reader_.number(*diameter_),
+                              reader_.number(*share_value_)};
+    const auto expect = [&](bool good,
+                            const std::optional<CsvReader::Column> &column,
+                            const std::string &expected) {
+      if (!good)
+        reader_.complain(
+            fmt::format("'{}': expected {}", reader_.text(*column), expected));
+    };
+    expect(next.diameter > 0, diameter_, "a diameter above 0");
+    expect(next.below >= 0, share_value_, "a share of at least 0");
+    if (!lines_.empty())
+      expect(next.diameter >= lines_.back().diameter,
+             diameter_,
+             "diameters that rise");
+    if (share_->cumulative && !lines_.empty())
+      expect(next.below >= lines_.back().below,
+             share_value_,
+             "cumulative shares that rise");
+    if (share_->cumulative && lines_.empty())
+      expect(next.below == 0,
+             share_value_,
+             "0, the share below the smallest diameter: put a line with the "
+             "diameter that no grain is smaller than before this one");
     lines_.push_back(next);
   }
 
@@ -158,16 +113,16 @@ private:
       sizes.table.push_back({line.diameter, sum});
     }
     if (!(std::abs(sum - 1) <= rounding))
-      complain(fmt::format("{} is {:.6g}; expected 1 (100 %)",
-                           share_->cumulative ? "the last share"
-                                              : "the sum of the shares",
-                           sum));
+      reader_.complain(fmt::format("{} is {:.6g}; expected 1 (100 %)",
+                                   share_->cumulative ? "the last share"
+                                                      : "the sum of the shares",
+                                   sum));
     for (dem::SizeShare &line : sizes.table)
       line.below /= sum;
     try {
       sizes.check();
     } catch (const std::invalid_argument &error) {
-      complain(error.what());
+      reader_.complain(error.what());
     }
     describe(sizes);
     return sizes;
@@ -184,11 +139,9 @@ private:
         2 * std::accumulate(radius.begin(), radius.end(), 0.0) / many;
   }
 
-  const std::filesystem::path &file_;
-  unsigned line_ = 0;
+  CsvReader reader_;
   const ShareColumn *share_ = nullptr;
-  std::size_t columns_ = 0, diameter_column_ = 0, share_column_ = 0;
-  double length_factor_ = 1, share_factor_ = 1;
+  std::optional<CsvReader::Column> diameter_, share_value_;
   std::vector<dem::SizeShare> lines_; // as read: below is the column's share
 };
 } // namespace

@@ -7,8 +7,8 @@ export LC_ALL=C OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
 tamp=$1
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-# The grains of most tests, for "include granules.prm".
-cp "$(dirname "${BASH_SOURCE[0]}")/granules.prm" "$work"
+# The grains of most tests, and a die of them, for "include granules.prm".
+cp "$(dirname "${BASH_SOURCE[0]}")"/granules{,_die}.prm "$work"
 cd "$work"
 
 fail() {

@@ -8,13 +8,7 @@ part=$2
 
 # Steps so long that many are cut.
 cat > die.prm << 'END_OF_INPUT'
-include granules.prm
-subsection Die
-  set Elements = 1, 2
-end
-subsection Schedule
-  set Stages = press to density 0.62; unload to 30 % of peak; eject by 0.05 mm holding 30 % of peak
-end
+include granules_die.prm
 subsection Solver
   set First step             = 2e-2
   set Maximum step           = 2e-2

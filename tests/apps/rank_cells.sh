@@ -7,10 +7,7 @@ export OMPI_MCA_rmaps_base_oversubscribe=1 OMP_NUM_THREADS=1
 export OPENBLAS_NUM_THREADS=1
 
 cat > die.prm << 'END'
-include granules.prm
-subsection Die
-  set Elements = 1, 2
-end
+include granules_die.prm
 subsection Schedule
   set Stages = press to density 0.61; unload to 50 % of peak
 end

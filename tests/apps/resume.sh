@@ -8,13 +8,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/expect.sh"
 part=$2
 
 cat > cells.prm << 'END_OF_INPUT'
-include granules.prm
-subsection Die
-  set Elements = 1, 2
-end
-subsection Schedule
-  set Stages = press to density 0.62; unload to 30 % of peak; eject by 0.05 mm holding 30 % of peak
-end
+include granules_die.prm
 subsection Solver
   set Maximum step = 4e-3
 end

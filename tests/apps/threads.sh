@@ -5,10 +5,7 @@
 source "$(dirname "${BASH_SOURCE[0]}")/begin.sh"
 
 cat > die.prm << 'END'
-include granules.prm
-subsection Die
-  set Elements = 1, 2
-end
+include granules_die.prm
 subsection Schedule
   set Stages = press to density 0.61; unload to 50 % of peak
 end

@@ -56,6 +56,15 @@ inline const dem::UnitCell &growing_cell()
   return cell;
 }
 
+/// A uniaxial increment.
+inline fem::Deformation pressed(double strain)
+{
+  fem::Deformation deformation;
+  deformation.relative_F[0][0] = deformation.relative_F[1][1] = 1;
+  deformation.relative_F[2][2] = 1 - strain;
+  return deformation;
+}
+
 inline CellPointsOptions cold()
 {
   CellPointsOptions options;

@@ -18,14 +18,7 @@ namespace
 using fem::Deformation;
 using fem::Response;
 using fem::Want;
-
-Deformation pressed(double strain)
-{
-  Deformation deformation;
-  deformation.relative_F[0][0] = deformation.relative_F[1][1] = 1;
-  deformation.relative_F[2][2] = 1 - strain;
-  return deformation;
-}
+using test::pressed;
 
 std::vector<Response> evaluate(UnitCellPoints &points, const Deformation &F)
 {

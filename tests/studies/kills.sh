@@ -17,12 +17,20 @@ random=${1:-1}
 kills=10
 cd "$scratch"
 
-# A die of 16 cells is pressed, unloaded and ejected.
-cat > loose.prm << END
-include $root/tests/apps/granules.prm
+# A die of 16 cells, which are stored after every step.
+cat > often.prm << END
 subsection Die
   set Elements = 2, 2
 end
+subsection Output
+  set Checkpoint interval = 1 us
+  set Grain points        = 0, 5
+end
+END
+# It is pressed, unloaded and ejected.
+cat > loose.prm << END
+include $root/tests/apps/granules.prm
+include often.prm
 subsection Schedule
   set Stages = press to density 0.7; unload to 30 % of peak; eject by 0.1 mm holding 30 % of peak
 end
@@ -30,19 +38,13 @@ subsection Solver
   set Maximum step           = 5e-4
   set Maximum unloading step = 2e-4
 end
-subsection Output
-  set Checkpoint interval = 1 us
-  set Grain points        = 0, 5
-end
 END
 # Grains that hold together leave the die, too.
 cat > cohesive.prm << END
 include $root/apps/examples/die_cohesive/die_cohesive.prm
+include often.prm
 subsection Grains
   set Count = 60
-end
-subsection Die
-  set Elements = 2, 2
 end
 subsection Schedule
   set Stages = press to density 0.66; unload to nothing; eject to out
@@ -50,10 +52,6 @@ end
 subsection Solver
   set Maximum step           = 2e-3
   set Maximum unloading step = 5e-4
-end
-subsection Output
-  set Checkpoint interval = 1 us
-  set Grain points        = 0, 5
 end
 END
 

@@ -69,8 +69,7 @@ private:
   double pressure_;
 };
 
-/// Eight hexahedra whose ends cannot move sideways and whose sides are free.
-fem::Mesh block(const Case &wanted)
+fem::DieGeometry geometry_of(const Case &wanted)
 {
   fem::DieGeometry geometry;
   geometry.shape = fem::DieShape::square;
@@ -80,7 +79,13 @@ fem::Mesh block(const Case &wanted)
   geometry.fill_height = wanted.height;
   geometry.radial_elements = 1;
   geometry.axial_elements = 2;
-  fem::Mesh mesh = fem::build_mesh(geometry);
+  return geometry;
+}
+
+/// Eight hexahedra whose ends cannot move sideways and whose sides are free.
+fem::Mesh block(const Case &wanted)
+{
+  fem::Mesh mesh = fem::build_mesh(geometry_of(wanted));
   mesh.tools[fem::die_wall] = {};
   mesh.held.clear();
   for (const fem::Tool end : {fem::upper_punch, fem::lower_punch})
@@ -93,14 +98,8 @@ fem::Mesh block(const Case &wanted)
 /// The plane punches at both ends and nothing else.
 fem::Tools ends(const Case &wanted, const fem::Mesh &mesh)
 {
-  fem::DieGeometry geometry;
-  geometry.shape = fem::DieShape::square;
-  geometry.section = fem::Section::full;
-  geometry.side = wanted.width;
-  geometry.corner_radius = 0;
-  geometry.fill_height = wanted.height;
   fem::Tools tools;
-  tools.surfaces = fem::make_tools(geometry, mesh);
+  tools.surfaces = fem::make_tools(geometry_of(wanted), mesh);
   tools.surfaces[fem::die_wall].reset();
   return tools;
 }
