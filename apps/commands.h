@@ -8,6 +8,11 @@
 #include <filesystem>
 #include <string>
 
+namespace CLI
+{
+class App;
+}
+
 namespace tamp::apps
 {
 /// Each function is a command of the program and returns its exit code. Throws
@@ -37,6 +42,11 @@ int list_examples();
 int copy_example(const std::string &name, const std::filesystem::path &folder);
 /// Prints BibTeX entries of tamp and what it stands on.
 int print_citations();
+
+/// Commands that register themselves: their exit code comes in `code`.
+
+/// Closed forms of all rooms; exit code 5 if one is missed.
+void add_selftest(CLI::App &app, int &code);
 } // namespace tamp::apps
 
 #endif

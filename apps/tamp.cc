@@ -233,6 +233,8 @@ int run(int argc, char **argv)
     code = print_citations();
   });
 
+  add_selftest(app, code);
+
   app.footer("To begin: tamp examples list; tamp examples copy die_default; "
              "tamp die die_default/die_default.prm");
 
