@@ -1,30 +1,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <apps/build_facts.h>
+#include <apps/citations.h>
 #include <apps/commands.h>
+#include <apps/input_table.h>
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <memory>
 
 namespace tamp::apps
 {
-int print_citations()
+void add_cite(CLI::App &app, int &code)
 {
-  fmt::print(R"(@software{{tamp,
-  title   = {{tamp: multiscale powder die compaction}},
-  author  = {{{{The tamp authors}}}},
-  version = {{{}}}
-}}
-@article{{dealii94,
-  title   = {{The deal.II library, Version 9.4}},
-  author  = {{Arndt, Daniel and others}},
-  journal = {{Journal of Numerical Mathematics}},
-  volume  = {{30}},
-  number  = {{3}},
-  pages   = {{231--246}},
-  year    = {{2022}},
-  doi     = {{10.1515/jnma-2022-0054}}
-}}
-)",
-             build_facts().version);
-  return exit_done;
+  CLI::App *cite = app.add_subcommand(
+      "cite", "Print BibTeX entries of tamp and what it stands on");
+  auto options = std::make_shared<RunOptions>();
+  cite->add_option("FILE", options->input, "Only what runs of this input use");
+  cite->callback([options, &code] {
+    auto keys = all_citations();
+    if (!options->input.empty()) {
+      ParameterTable table;
+      read_table(*options, table);
+      keys = citations_of(table);
+    }
+    for (const std::string_view key : keys)
+      fmt::print("{}", citation(key));
+    code = exit_done;
+  });
 }
 } // namespace tamp::apps

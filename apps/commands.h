@@ -8,6 +8,11 @@
 #include <filesystem>
 #include <string>
 
+namespace CLI
+{
+class App;
+}
+
 namespace tamp::apps
 {
 /// Each function is a command of the program and returns its exit code. Throws
@@ -35,8 +40,13 @@ int check_parameters(const std::filesystem::path &input);
 int list_examples();
 /// Copies an example to `folder`/NAME.
 int copy_example(const std::string &name, const std::filesystem::path &folder);
-/// Prints BibTeX entries of tamp and what it stands on.
-int print_citations();
+
+/// Commands that register themselves: their exit code comes in `code`.
+
+/// BibTeX entries of tamp and what it, or an input, stands on.
+void add_cite(CLI::App &app, int &code);
+/// Closed forms of all rooms; exit code 5 if one is missed.
+void add_selftest(CLI::App &app, int &code);
 } // namespace tamp::apps
 
 #endif

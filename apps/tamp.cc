@@ -229,9 +229,8 @@ int run(int argc, char **argv)
   PointChoice choice;
   add_inspect(app, choice, options, code);
   add_other_commands(app, other, code);
-  app.add_subcommand("cite", "Print BibTeX entries")->callback([&] {
-    code = print_citations();
-  });
+  add_cite(app, code);
+  add_selftest(app, code);
 
   app.footer("To begin: tamp examples list; tamp examples copy die_default; "
              "tamp die die_default/die_default.prm");
