@@ -159,7 +159,7 @@ void static_balance(Checks &checks, UnitCell cell)
 double open_energy(const UnitCell &cell, const Driving &driving)
 {
   const EnergyAccount &spent = cell.energy;
-  return elastic_energy(cell) +
+  return survey_contacts(cell).elastic_energy +
          measure_dynamics(cell, driving.dynamics, 1).kinetic_energy +
          spent.plastic_dissipation + spent.friction_dissipation +
          spent.damping_dissipation + spent.adhesion_dissipation - spent.work;

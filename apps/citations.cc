@@ -17,8 +17,7 @@ struct Entry {
   std::string_view key, kind, fields;
 };
 
-// Only what has been looked up stands here: a field that is absent could not
-// be verified.
+// What could not be verified is left out: a field that is absent, for example.
 constexpr Entry entries[] = {
     {"dealii94", "article", R"(
   author  = {Arndt, Daniel and others},
