@@ -13,7 +13,6 @@
 #include <fmt/format.h>
 #include <functional>
 #include <memory>
-#include <set>
 
 namespace tamp::apps
 {
@@ -81,12 +80,6 @@ std::vector<ResultFolder> read_runs(const CompareOptions &options)
   for (std::size_t i = 0; i < names.size(); ++i) {
     runs.push_back(read_result_folder(options.folders[i], names[i]));
     const ResultFolder &run = runs.back(), &first = runs.front();
-    static const std::set<std::string> known{"contact", "die", "pack", "probe"};
-    if (!known.contains(run.command))
-      throw InputError(fmt::format("'{}' is the folder of 'tamp {}'; expected "
-                                   "one of tamp contact, die, pack or probe",
-                                   run.path.string(),
-                                   run.command));
     if (run.command != first.command)
       throw InputError(fmt::format(
           "'{}' is a run of tamp {}, '{}' one of tamp {}: expected runs of one "

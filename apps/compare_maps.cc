@@ -94,7 +94,9 @@ std::vector<Plot> write_maps(const std::filesystem::path &folder,
           continue;
         const auto map =
             section_of(state.reference, found->second, what.factor);
-        if (map.empty())
+        if (std::ranges::all_of(map, [](const ValueQuadrilateral &part) {
+              return part.value == 0;
+            }))
           continue;
         const std::string name = fmt::format(
             "{}_difference_{}_{}", what.file, state.state.name, run + 2);

@@ -173,13 +173,22 @@ std::string value(const Axis &axis, const std::string &column)
                           : scaled;
 }
 
+// Does a run have the column, with more than one value?
+bool has_range(const ResultFolder &run, const std::string &column)
+{
+  if (!run.curve.has(column))
+    return false;
+  const auto [least, most] = std::ranges::minmax(run.curve.column(column));
+  return least < most;
+}
+
 // All lines of all runs; empty if there are none.
 std::string curves(std::span<const ResultFolder> runs, const Drawing &drawing)
 {
   std::string text;
   for (std::size_t run = 0; run < runs.size(); ++run) {
     const std::string condition = wanted(runs[run], drawing);
-    if (condition == "0" || !runs[run].curve.has(drawing.x.column))
+    if (condition == "0" || !has_range(runs[run], drawing.x.column))
       continue;
     for (std::size_t i = 0; i < drawing.lines.size(); ++i) {
       const Line &line = drawing.lines[i];
@@ -225,16 +234,21 @@ std::string script(std::span<const ResultFolder> runs, const Drawing &drawing)
   const std::string lines = curves(runs, drawing);
   if (lines.empty())
     return {};
+  const std::size_t entries =
+      runs.size() + (drawing.lines.size() > 1 ? drawing.lines.size() : 0);
+  const auto rows = static_cast<double>((entries + 2) / 3); // of the key
   std::string text = fmt::format(R"(set title "{}"
-set xlabel "{}" offset 0,0.5
+set xlabel "{}"
 set ylabel "{}"
-set key below center horizontal width 2
+set key at screen 0.53, screen 0.015 center bottom horizontal width 2
+set bmargin at screen {:.3f}
 set linetype 5 linecolor rgb "#7b4b94" linewidth 3.5 pointtype 7
 set linetype 6 linecolor rgb "#5c5c5c" linewidth 3.5 pointtype 7
 )",
                                  drawing.title,
                                  drawing.x.label,
-                                 drawing.y.label);
+                                 drawing.y.label,
+                                 0.165 + 0.047 * rows);
   if (drawing.x.logarithmic)
     text += "set logscale x\nset format x \"%g\"\n";
   if (drawing.y.logarithmic) {

@@ -23,9 +23,9 @@ void write_curves(const std::filesystem::path &folder,
 
 /// Writes the section of the compact through the pressing axis, in the shape of
 /// the reference, with the differences of density and axial stress of each run
-/// in each state, and gives their plots. In three dimensions the section is
-/// y = 0, x >= 0; no plots where no element has a face there. Throws
-/// OutputError.
+/// in each state, and gives their plots; where nothing differs there is none.
+/// In three dimensions the section is y = 0, x >= 0; no plots where no element
+/// has a face there. Throws OutputError.
 std::vector<Plot> write_maps(const std::filesystem::path &folder,
                              const std::vector<ComparedState> &states,
                              std::span<const ResultFolder> runs);

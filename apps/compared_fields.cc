@@ -129,13 +129,14 @@ FieldDifference compare(const FieldGrid &reference, FieldGrid other)
   const double scale = same_size(reference, other)
                            ? 1
                            : total(own.undeformed) / total(volumes.undeformed);
+  const std::vector<double> ratios = volumes.ratios();
   for (std::size_t i = 0; i < reference.parts(); ++i)
     if (sampled.inside[i])
       result.mass_difference +=
-          sampled.values.at("relative_density")[i] *
-              sampled.values.at(volume_ratio)[i] * volumes.undeformed[i] *
-              scale -
-          reference.values.at("relative_density")[i] * volumes.now[i];
+          volumes.undeformed[i] *
+          (scale * sampled.values.at("relative_density")[i] *
+               sampled.values.at(volume_ratio)[i] -
+           reference.values.at("relative_density")[i] * ratios[i]);
   return result;
 }
 } // namespace

@@ -73,7 +73,7 @@ std::optional<CurveDifference> difference_of(const PlainCurve &reference,
   if (reference.x.size() < 2 || other.x.size() < 2)
     return {};
   CurveDifference result;
-  result.from = std::max(reference.x.front(), other.x.front());
+  result.from = std::max(reference.x.front(), other.x.front()) + 0.; // no -0
   result.to = std::min(reference.x.back(), other.x.back());
   if (!(result.from < result.to))
     return {};

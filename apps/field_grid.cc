@@ -9,8 +9,10 @@
 #include <numbers>
 #include <vtkCallbackCommand.h>
 #include <vtkCellType.h>
+#include <vtkCommand.h>
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
+#include <vtkExecutive.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -204,6 +206,8 @@ FieldGrid read_fields(const std::filesystem::path &file)
     throw wrong("is missing, though fields.pvd names it");
   vtkNew<vtkXMLUnstructuredGridReader> reader;
   vtkNew<vtkCallbackCommand> silence; // what is wrong is said below
+  reader->AddObserver(vtkCommand::ErrorEvent, silence);
+  reader->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, silence);
   reader->SetReaderErrorObserver(silence);
   reader->SetParserErrorObserver(silence);
   reader->SetFileName(file.c_str());

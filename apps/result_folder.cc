@@ -8,6 +8,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <regex>
+#include <set>
 
 namespace tamp::apps
 {
@@ -43,6 +44,12 @@ ResultFolder read_result_folder(const fs::path &path, const std::string &name)
   if (!fs::is_directory(path))
     throw InputError(fmt::format("there is no folder '{}'", path.string()));
   const std::string command = RunFolder::existing(path).command();
+  static const std::set<std::string> known{"contact", "die", "pack", "probe"};
+  if (!known.contains(command))
+    throw InputError(fmt::format("'{}' is the folder of 'tamp {}'; expected "
+                                 "one of tamp contact, die, pack or probe",
+                                 path.string(),
+                                 command));
   std::ifstream in(path / "run.json");
   const auto tree = nlohmann::ordered_json::parse(in);
   if (!std::ifstream(path / "curve.csv"))
