@@ -8,8 +8,8 @@ namespace tamp::apps
 {
 namespace
 {
-constexpr std::array<std::string_view, 3> commands{
-    "calibrate", "compare", "fit"};
+constexpr std::array<std::string_view, 2> commands{
+    "calibrate", "fit"};
 } // namespace
 
 bool is_planned_command(std::string_view name)

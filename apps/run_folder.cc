@@ -34,6 +34,8 @@ constexpr const char *own_names[] = {"input.prm",
                                      "checkpoint",
                                      "trials.tamp",
                                      "inspect",
+                                     "compare.csv",
+                                     "difference.vtu",
                                      "run.json"};
 
 // packing.h5, packing_0001.txt, grains_0001.vtp ...
@@ -59,23 +61,6 @@ std::vector<std::string> results_in(const fs::path &folder)
 std::string seconds(double value)
 {
   return value < 10 ? fmt::format("{:.2g} s", value) : duration(value);
-}
-
-std::string with_unit(const std::string &name, double value)
-{
-  const auto ends = [&](const char *unit) { return name.ends_with(unit); };
-  if (ends("[Pa]"))
-    return fmt::format("{:.4g} MPa", value / 1e6);
-  if (ends("[N]"))
-    return fmt::format("{:.4g} N", value);
-  if (ends("[m]"))
-    return fmt::format("{:.4g} mm", value / 1e-3);
-  if (ends("[s]") && value >= 0.1)
-    return seconds(value);
-  const std::string unit = name.substr(name.find('[') + 1);
-  return ends("[-]")
-             ? fmt::format("{:.4g}", value)
-             : fmt::format("{:.4g} {}", value, unit.substr(0, unit.find(']')));
 }
 
 bool of_a_run(const fs::path &folder)
@@ -126,6 +111,23 @@ void remove_results(const fs::path &folder)
   }
 }
 } // namespace
+
+std::string with_unit(const std::string &name, double value)
+{
+  const auto ends = [&](const char *unit) { return name.ends_with(unit); };
+  if (ends("[Pa]"))
+    return fmt::format("{:.4g} MPa", value / 1e6);
+  if (ends("[N]"))
+    return fmt::format("{:.4g} N", value);
+  if (ends("[m]"))
+    return fmt::format("{:.4g} mm", value / 1e-3);
+  if (ends("[s]") && value >= 0.1)
+    return seconds(value);
+  const std::string unit = name.substr(name.find('[') + 1);
+  return ends("[-]")
+             ? fmt::format("{:.4g}", value)
+             : fmt::format("{:.4g} {}", value, unit.substr(0, unit.find(']')));
+}
 
 RunFolder::RunFolder(const fs::path &folder,
                      bool force,
@@ -244,6 +246,8 @@ std::string RunRecord::json() const
     tree["libraries"][name] = version;
   tree["command"] = command;
   tree["input"] = input.filename().string();
+  for (const auto &folder : folders)
+    tree["folders"].push_back(folder.string());
   tree["input_hash"] = text_hash(input_echo);
   tree["seeds"] = {seed};
   tree["ranks"] = ranks;

@@ -48,7 +48,8 @@ private:
 struct RunRecord {
   std::string command;
   std::filesystem::path input;
-  std::string input_echo; ///< in SI; its hash is kept
+  std::vector<std::filesystem::path> folders; ///< of runs that it reads
+  std::string input_echo;                     ///< in SI; its hash is kept
   std::uint64_t seed = 0;
   unsigned ranks = 1;
   unsigned threads = 1; ///< of each rank
@@ -76,6 +77,9 @@ struct RunRecord {
   /// For summary.txt: results in words that a user reads.
   std::string summary() const;
 };
+
+/// The value of "name[unit]" with a unit that suits it: "52.6 MPa", "2.81 mm".
+std::string with_unit(const std::string &name, double value);
 
 /// FNV-1a, 64 bits, as sixteen hexadecimal digits.
 std::string text_hash(const std::string &text);
