@@ -53,4 +53,11 @@ grep -q '^Q1a,1,-.*,0$' exchanged_trends.csv || fail "a broken trend passes"
 status=0
 "$tamp" examples run paper -o page > out.txt 2> err.txt || status=$?
 [ "$status" -eq 2 ] || fail "exit code $status, expected 2"
+# Nor is the folder of something else, even by force.
+mkdir mine
+touch mine/notes.txt
+status=0
+"$tamp" examples run paper -o mine --force > out.txt 2> err.txt || status=$?
+[ "$status" -eq 2 ] && [ -e mine/notes.txt ] && [ ! -e mine/runs ] ||
+  fail "another folder was not left alone"
 echo "all well"

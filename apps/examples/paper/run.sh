@@ -24,9 +24,15 @@ if [ -e "$folder" ] && [ -z "${FORCE:-}" ]; then
   echo "run.sh: '$folder' exists already; FORCE=1 overwrites it" >&2
   exit 2
 fi
+if [ -n "$(ls -A "$folder" 2> /dev/null)" ] && [ ! -e "$folder/done" ]; then
+  echo "run.sh: '$folder' is not a folder of this script; it stays as it is" >&2
+  exit 2
+fi
+rm -rf "$folder"/{runs,data,done,failed,paper.md} "$folder"/fig??.png \
+  "$folder"/{states,grid,trends,reference}.csv
 mkdir -p "$folder/runs"
 folder=$(cd "$folder" && pwd)
-rm -f "$folder"/{failed,done,states.csv,grid.csv,trends.csv,reference.csv}
+touch "$folder/done" # names of runs that ended
 
 packings="1 2 3"
 frictions="0.3 0.5 0.7 0.9"
@@ -51,7 +57,14 @@ start() {
   done
   "$@" &
 }
-trap 'kill $(jobs -rp) 2> /dev/null || true' EXIT
+# Whoever stops this script stops what it started.
+stop() {
+  for job in $(jobs -rp); do
+    pkill -P "$job" || true
+    kill "$job" 2> /dev/null || true
+  done
+}
+trap stop EXIT
 
 # one COMMAND NAME INPUT SETTING...: a run into runs/NAME.
 one() {
