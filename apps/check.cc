@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <apps/check_sections.h>
 #include <apps/commands.h>
+#include <apps/input_purpose.h>
 #include <apps/input_table.h>
 #include <apps/run_material.h>
 #include <fem/punch_area.h>
@@ -27,43 +28,6 @@ constexpr double updates_by_anderson = 2.6, updates_by_newton = 4;
 // Of a point some of whose stresses are given: it iterates.
 constexpr double updates_of_probe = 3;
 constexpr double packing_increment = 5e-3;
-
-std::string name_of(Need need)
-{
-  switch (need) {
-  case Need::die:
-    return "die";
-  case Need::probe:
-    return "probe";
-  case Need::pack:
-    return "pack";
-  case Need::contact:
-    return "contact";
-  case Need::point:
-  case Need::everything:
-    break;
-  }
-  return {};
-}
-
-// The commands that the sections of an input are for.
-std::vector<Need> purposes(const ParameterTable &table)
-{
-  std::vector<Need> needs;
-  if (table.given_below("Die") || table.given_below("Schedule"))
-    needs.push_back(Need::die);
-  if (table.given_below("Path"))
-    needs.push_back(Need::probe);
-  if (table.given_below("Pair"))
-    needs.push_back(Need::contact);
-  if (table.given("Packing/Replicas"))
-    needs.push_back(Need::pack);
-  if (!needs.empty())
-    return needs;
-  if (table.given_below("Material"))
-    return {Need::die, Need::probe};
-  return {Need::pack};
-}
 
 // Of the powder, from edge to edge of the punches.
 double height_of(const RunInput &input)

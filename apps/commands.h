@@ -40,8 +40,14 @@ int print_parameters(const std::string &format);
 int check_parameters(const std::filesystem::path &input);
 /// Prints the names of the examples and what they show.
 int list_examples();
+/// The folder of an example.
+std::filesystem::path find_example(const std::string &name);
 /// Copies an example to `folder`/NAME.
 int copy_example(const std::string &name, const std::filesystem::path &folder);
+/// Runs an example: its run.sh, which then takes the place of this process, or
+/// its input by the command that this is for. Of `options` only output and
+/// force count.
+int run_example(const std::string &name, RunOptions options);
 
 /// Commands that register themselves: their exit code comes in `code`.
 

@@ -53,7 +53,7 @@ int list_examples()
   return exit_done;
 }
 
-int copy_example(const std::string &name, const fs::path &folder)
+fs::path find_example(const std::string &name)
 {
   const auto names = names_of_examples();
   if (!std::ranges::count(names, name))
@@ -61,6 +61,12 @@ int copy_example(const std::string &name, const fs::path &folder)
                                  "'{}'? 'tamp examples list' shows all",
                                  name,
                                  nearest_name(name, names)));
+  return examples_folder() / name;
+}
+
+int copy_example(const std::string &name, const fs::path &folder)
+{
+  const fs::path example = find_example(name);
   const fs::path target = folder / name;
   if (fs::exists(target))
     throw InputError(fmt::format("'{}' exists already; nothing was copied",
@@ -68,8 +74,7 @@ int copy_example(const std::string &name, const fs::path &folder)
   std::error_code error;
   fs::create_directories(folder, error);
   if (!error)
-    fs::copy(
-        examples_folder() / name, target, fs::copy_options::recursive, error);
+    fs::copy(example, target, fs::copy_options::recursive, error);
   if (error)
     throw OutputError(fmt::format(
         "'{}' cannot be written: {}", target.string(), error.message()));

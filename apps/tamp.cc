@@ -68,6 +68,7 @@ struct OtherOptions {
   std::filesystem::path check;
   std::string example;
   std::filesystem::path folder = ".";
+  RunOptions run;
 };
 
 // Commands that print or copy.
@@ -93,6 +94,19 @@ void add_other_commands(CLI::App &app, OtherOptions &other, int &code)
   copy->add_option("NAME", other.example, "Which")->required();
   copy->add_option("DIR", other.folder, "Where to; default: here");
   copy->callback([&] { code = copy_example(other.example, other.folder); });
+  CLI::App *run = examples->add_subcommand(
+      "run", "Run an example: its run.sh, or its input");
+  run->add_option("NAME", other.example, "Which")->required();
+  run->add_option("-o,--output",
+                  other.run.output,
+                  "Folder for results; default results/NAME");
+  run->add_flag("--force",
+                other.run.force,
+                "Overwrite the results in an existing folder");
+  run->callback([&] {
+    expect_one_rank("examples run");
+    code = run_example(other.example, other.run);
+  });
 }
 
 // Throws InputError if the first word is neither a command nor an option.

@@ -5,12 +5,17 @@
 # number: Sheng et al. (2004), fig. 1.
 # Usage: run.sh [TAMP [FOLDER]]
 # Results go to FOLDER, by default results/paper_fig01: scaling.csv, scaling.png.
+# SEED=N takes another packing; FORCE=1 overwrites what is there.
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 root=$(cd "$here/../../.." && pwd)
 tamp=${1:-$root/build/apps/tamp}
 folder=${2:-$root/results/paper_fig01}
+if [ -e "$folder" ] && [ -z "${FORCE:-}" ]; then
+  echo "run.sh: '$folder' exists already; FORCE=1 overwrites it" >&2
+  exit 2
+fi
 mkdir -p "$folder"
 scalings=${SCALINGS:-"1e12 1e13 1e14 1e15 1e16 1e17 1e18 1e19 1e20 1e21 1e22
   1e23"}
@@ -23,7 +28,8 @@ fraction() {
 
 for scaling in $scalings; do
   "$tamp" probe "$here/paper_fig01.prm" -o "$folder/$scaling" --force -q \
-    --no-plots --set "Cell/Density scaling = $scaling" \
+    --no-plots --set "Packing/Seed = ${SEED:-7}" \
+    --set "Cell/Density scaling = $scaling" \
     --set "Cell/Time step fraction = $(fraction "$scaling")"
 done
 
