@@ -8,6 +8,11 @@
 #include <filesystem>
 #include <string>
 
+namespace CLI
+{
+class App;
+}
+
 namespace tamp::apps
 {
 /// Each function is a command of the program and returns its exit code. Throws
@@ -37,6 +42,9 @@ int list_examples();
 int copy_example(const std::string &name, const std::filesystem::path &folder);
 /// Prints BibTeX entries of tamp and what it stands on.
 int print_citations();
+
+/// Adds `tamp calibrate`: fits parameters to a measured curve.
+void add_calibrate(CLI::App &app, int &code);
 } // namespace tamp::apps
 
 #endif

@@ -33,6 +33,11 @@ constexpr const char *own_names[] = {"input.prm",
                                      "checkpoint",
                                      "trials.tamp",
                                      "inspect",
+                                     "best.prm",
+                                     "calibration.csv",
+                                     "measured.csv",
+                                     "packings",
+                                     "residuals.csv",
                                      "run.json"};
 
 // packing.h5, packing_0001.txt, grains_0001.vtp ...
