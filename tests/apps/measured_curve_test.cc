@@ -257,7 +257,8 @@ TEST(MeasuredCurve, IsThinnedByAveragesOfEqualIntervals)
     // Averages of a straight line lie on it.
     EXPECT_NEAR(point.axial, 100 * point.relative_density, 1e-9);
     EXPECT_NEAR(point.lateral, 10 * point.relative_density, 1e-9);
-    if (i > 0)
+    if (i > 0) {
       EXPECT_GT(point.relative_density, few.loading[i - 1].relative_density);
+    }
   }
 }
