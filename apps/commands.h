@@ -55,6 +55,8 @@ int run_example(const std::string &name, RunOptions options);
 void add_cite(CLI::App &app, int &code);
 /// Closed forms of all rooms; exit code 5 if one is missed.
 void add_selftest(CLI::App &app, int &code);
+/// Fits parameters to a measured curve.
+void add_calibrate(CLI::App &app, int &code);
 } // namespace tamp::apps
 
 #endif

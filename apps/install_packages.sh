@@ -7,7 +7,7 @@ set -euo pipefail
 packages=(
   g++ cmake ninja-build ccache git ca-certificates
   libdeal.ii-dev gmsh libeigen3-dev libhwy-dev libvtk9-dev
-  libopenblas0-serial libcli11-dev nlohmann-json3-dev libspdlog-dev
+  libopenblas0-serial libceres-dev libcli11-dev nlohmann-json3-dev libspdlog-dev
   libfmt-dev libgtest-dev libbenchmark-dev gnuplot-nox clang-format-14
   zlib1g-dev
 )

@@ -8,8 +8,7 @@ namespace tamp::apps
 {
 namespace
 {
-constexpr std::array<std::string_view, 2> commands{
-    "calibrate", "fit"};
+constexpr std::array<std::string_view, 1> commands{"fit"};
 } // namespace
 
 bool is_planned_command(std::string_view name)

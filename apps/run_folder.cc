@@ -36,6 +36,11 @@ constexpr const char *own_names[] = {"input.prm",
                                      "inspect",
                                      "compare.csv",
                                      "difference.vtu",
+                                     "best.prm",
+                                     "calibration.csv",
+                                     "measured.csv",
+                                     "packings",
+                                     "residuals.csv",
                                      "run.json"};
 
 // packing.h5, packing_0001.txt, grains_0001.vtp ...

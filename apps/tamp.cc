@@ -188,6 +188,7 @@ int run(int argc, char **argv)
   PointChoice choice;
   add_inspect(app, choice, options, code);
   add_compare(app, code);
+  add_calibrate(app, code);
   add_other_commands(app, other, code);
   add_cite(app, code);
   add_selftest(app, code);
