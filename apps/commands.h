@@ -8,6 +8,11 @@
 #include <filesystem>
 #include <string>
 
+namespace CLI
+{
+class App;
+}
+
 namespace tamp::apps
 {
 /// Each function is a command of the program and returns its exit code. Throws
@@ -24,6 +29,8 @@ int run_die(const RunOptions &options);
 /// One material point out of the run of a die: history, grains, replay. Exit
 /// code 5 if the replay gives other stresses than the run.
 int inspect_point(const PointChoice &choice, RunOptions options);
+/// Adds the command tamp fit, see run_fit(); its exit code goes to `code`.
+void add_fit(CLI::App &app, int &code);
 /// Reads and judges an input without running it: ranges, mesh, tools, schedule,
 /// memory, time. Writes nothing. Exit code 5 if it should not be run.
 int check_input(const RunOptions &options);

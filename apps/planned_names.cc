@@ -8,8 +8,8 @@ namespace tamp::apps
 {
 namespace
 {
-constexpr std::array<std::string_view, 4> commands{
-    "calibrate", "compare", "fit", "selftest"};
+constexpr std::array<std::string_view, 3> commands{
+    "calibrate", "compare", "selftest"};
 } // namespace
 
 bool is_planned_command(std::string_view name)

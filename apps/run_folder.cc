@@ -33,6 +33,9 @@ constexpr const char *own_names[] = {"input.prm",
                                      "checkpoint",
                                      "trials.tamp",
                                      "inspect",
+                                     "fit.csv",
+                                     "law.prm",
+                                     "law_abaqus.inp",
                                      "run.json"};
 
 // packing.h5, packing_0001.txt, grains_0001.vtp ...

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <apps/build_facts.h>
+#include <apps/command_options.h>
 #include <apps/commands.h>
 #include <apps/nearest_name.h>
 #include <apps/planned_names.h>
@@ -33,41 +34,10 @@ void add_input_options(CLI::App &command, RunOptions &options)
                      "Threads; default: all cores this process may use");
 }
 
-void add_output_options(CLI::App &command,
-                        const std::string &usual_folder,
-                        RunOptions &options)
-{
-  command.add_option("-o,--output",
-                     options.output,
-                     "Folder for results; default " + usual_folder);
-  command.add_flag(
-      "--force", options.force, "Overwrite the results in an existing folder");
-  command.add_flag_callback(
-      "-q,--quiet",
-      [&options] { options.verbosity = Verbosity::quiet; },
-      "Say nothing but errors");
-  command.add_flag_callback(
-      "-v,--verbose",
-      [&options] { options.verbosity = Verbosity::verbose; },
-      "Say everything, without a bar");
-  command.add_flag_callback(
-      "--no-plots", [&options] { options.plots = false; }, "Draw no plots");
-}
-
 void add_run_options(CLI::App &command, RunOptions &options)
 {
   add_input_options(command, options);
   add_output_options(command, "results/<name of the input>", options);
-}
-
-// A number from the environment of whichever launcher there is: Open MPI or one
-// that speaks PMI; 0 if there is none.
-int number_of_launcher(const char *open_mpi, const char *pmi)
-{
-  for (const char *name : {open_mpi, pmi})
-    if (const char *text = std::getenv(name); text && *text)
-      return std::atoi(text);
-  return 0;
 }
 
 // One message for every way to go wrong, and its exit code. Of several ranks
@@ -77,17 +47,6 @@ int fail(ExitCode code, const std::string &message)
   if (number_of_launcher("OMPI_COMM_WORLD_RANK", "PMI_RANK") == 0)
     fmt::print(stderr, "tamp: {}\n", message);
   return code;
-}
-
-// Throws InputError on all of several ranks, before anything is written.
-void expect_one_rank(const std::string &command)
-{
-  const int count = number_of_launcher("OMPI_COMM_WORLD_SIZE", "PMI_SIZE");
-  if (count > 1)
-    throw InputError(fmt::format("tamp {} runs on one rank, not on {}; use "
-                                 "--threads N instead of mpirun -np N",
-                                 command,
-                                 count));
 }
 
 void add_inspect(CLI::App &app,
@@ -228,6 +187,7 @@ int run(int argc, char **argv)
 
   PointChoice choice;
   add_inspect(app, choice, options, code);
+  add_fit(app, code);
   add_other_commands(app, other, code);
   app.add_subcommand("cite", "Print BibTeX entries")->callback([&] {
     code = print_citations();
