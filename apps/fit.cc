@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <apps/cap_fit_files.h>
+#include <apps/constants_fit.h>
 #include <apps/fit.h>
 #include <apps/law_check.h>
 #include <apps/law_text.h>
@@ -12,6 +13,7 @@
 #include <fmt/ranges.h>
 #include <iterator>
 #include <set>
+#include <utility>
 
 namespace tamp::apps
 {
@@ -19,6 +21,30 @@ namespace
 {
 /// Differences above which the user is told.
 constexpr double wide_loading = 0.05, wide_slope = 0.10;
+
+/// The laws: as --law names them, as Material/Type does, their subsection.
+struct LawNames {
+  const char *law, *type, *subsection;
+  coupling::MaterialKind kind;
+};
+constexpr std::array<LawNames, 3> laws{
+    LawNames{"drucker-prager-cap",
+             "drucker-prager cap",
+             "Drucker-Prager cap",
+             coupling::MaterialKind::drucker_prager_cap},
+    LawNames{"modified-cam-clay",
+             "modified cam-clay",
+             "Modified Cam-Clay",
+             coupling::MaterialKind::modified_cam_clay},
+    LawNames{"fkm-gurson",
+             "fkm-gurson",
+             "FKM-Gurson",
+             coupling::MaterialKind::fkm_gurson}};
+
+const LawNames &names_of(coupling::MaterialKind kind)
+{
+  return *std::ranges::find(laws, kind, &LawNames::kind);
+}
 
 std::string name_of(const std::filesystem::path &folder)
 {
@@ -93,7 +119,85 @@ public:
     return {};
   }
 
+  RunEnd give_constants(const ConstantsFit &fit)
+  {
+    const std::vector<std::string> remarks{
+        fmt::format("{} fitted by tamp fit to {}.",
+                    names_of(fit.law.kind).subsection,
+                    names_of(request_)),
+        fmt::format("Relative densities from {:.4g} to {:.4g}, under load; "
+                    "outside is a guess. Root mean squares of the differences: "
+                    "{:.2g} % of p and q on the paths, {:.2g} % of q at yield, "
+                    "{:.2g} % of the moduli.",
+                    fit.first_density,
+                    fit.last_density,
+                    100 * fit.path_residual,
+                    100 * fit.yield_residual,
+                    100 * fit.modulus_residual)};
+    const RunFolder &folder = session_.folder();
+    folder.write("law.prm",
+                 constants_text(names_of(fit.law.kind).type,
+                                names_of(fit.law.kind).subsection,
+                                entries_of(fit),
+                                remarks));
+    write_constants_table(fit, remarks);
+    write_surfaces(folder, fit.surfaces);
+    for (const FittedConstant &constant : fit.constants)
+      session_.result(column_of(constant), constant.value);
+    session_.result("replicas[-]", fit.replicas);
+    session_.result("residual_of_paths[-]", fit.path_residual);
+    session_.result("residual_of_yield[-]", fit.yield_residual);
+    session_.result("residual_of_moduli[-]", fit.modulus_residual);
+    check(fit.law, fit.first_density, fit.last_density);
+    draw(surface_plots(fit.surfaces));
+    return {};
+  }
+
 private:
+  static std::string column_of(const FittedConstant &constant,
+                               const std::string &suffix = "")
+  {
+    std::string name = constant.name;
+    std::erase(name, '\'');
+    std::ranges::replace(name, ' ', '_');
+    return fmt::format("{}{}[{}]", name, suffix, constant.unit);
+  }
+
+  static std::vector<std::pair<std::string, std::string>>
+  entries_of(const ConstantsFit &fit)
+  {
+    std::vector<std::pair<std::string, std::string>> entries;
+    for (const FittedConstant &constant : fit.constants)
+      entries.emplace_back(constant.name,
+                           constant.unit == "Pa"
+                               ? fmt::format("{:.7g} MPa", constant.value / 1e6)
+                               : fmt::format("{:.7g}", constant.value));
+    return entries;
+  }
+
+  void write_constants_table(const ConstantsFit &fit,
+                             const std::vector<std::string> &remarks)
+  {
+    std::vector<std::string> names{"lowest_relative_density[-]",
+                                   "highest_relative_density[-]",
+                                   "replicas[-]"};
+    std::vector<double> values{
+        fit.first_density, fit.last_density, double(fit.replicas)};
+    for (const FittedConstant &constant : fit.constants) {
+      names.push_back(column_of(constant));
+      names.push_back(column_of(constant, "_deviation"));
+      values.insert(values.end(), {constant.value, constant.deviation});
+    }
+    for (const char *name :
+         {"path_residual[-]", "yield_residual[-]", "modulus_residual[-]"})
+      names.emplace_back(name);
+    values.insert(
+        values.end(),
+        {fit.path_residual, fit.yield_residual, fit.modulus_residual});
+    CurveWriter(session_.folder().path() / "fit.csv", names, remarks)
+        .write(values);
+  }
+
   std::vector<std::string> cap_remarks(const CapFit &fit) const
   {
     double residual = 0;
@@ -210,18 +314,31 @@ plot "../curve.csv" using (column(density)):(column("stress_zz[Pa]") / 1e6) with
 
 std::vector<std::string> fitted_laws()
 {
-  return {"drucker-prager-cap"};
+  std::vector<std::string> names;
+  for (const LawNames &known : laws)
+    names.emplace_back(known.law);
+  return names;
 }
 
 int run_fit(const FitRequest &request, const RunOptions &options)
 {
+  const auto law = std::ranges::find(laws, request.law, &LawNames::law);
+  if (law == laws.end())
+    throw InputError(fmt::format("there is no law '{}' to fit", request.law));
   const std::vector<ProbeData> probes = read_probes(request);
-  const CapFit fit = fit_cap(probes, request.criterion);
   RunOptions chosen = options;
   if (chosen.output.empty())
     chosen.output = request.folders.front() / "fit" / request.law;
-  RunSession session("fit", chosen, names_of(request), files_of(request));
-  return session.run(
-      [&] { return FitRun(request, probes, session).give_cap(fit); });
+  const auto run = [&](const auto &fit, auto give) {
+    RunSession session("fit", chosen, names_of(request), files_of(request));
+    return session.run([&] {
+      FitRun work(request, probes, session);
+      return (work.*give)(fit);
+    });
+  };
+  if (law->kind == coupling::MaterialKind::drucker_prager_cap)
+    return run(fit_cap(probes, request.criterion), &FitRun::give_cap);
+  return run(fit_constants(law->kind, probes, request.criterion),
+             &FitRun::give_constants);
 }
 } // namespace tamp::apps

@@ -6,6 +6,7 @@
 #include <apps/probe_columns.h>
 #include <fem/laws/cap_surface.h>
 #include <fem/laws/drucker_prager_cap.h>
+#include <fem/laws/fkm_gurson.h>
 #include <fem/material_points.h>
 
 #include <deal.II/base/symmetric_tensor.h>
@@ -73,6 +74,13 @@ double yield_deviator(const Law &law,
                       double pressure)
 {
   return law.surface(state).shear_limit(pressure);
+}
+
+inline double yield_deviator(const fem::FkmGurson &law,
+                             const fem::FkmGurson::State &state,
+                             double pressure)
+{
+  return law.surface(state.porosity).shear_limit(pressure);
 }
 
 /// Writes curve.csv, yield.csv and moduli.csv of a law in `folder`.
