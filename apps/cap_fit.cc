@@ -236,6 +236,15 @@ private:
   void make_law()
   {
     coupling::CapChoice &law = fit_.law;
+    if (const double last = fit_.levels.back().density,
+        end = fit_.hardening.back().density;
+        end > 1.01 * last)
+      fit_.remarks.push_back(
+          fmt::format("the paths go on to a relative density of {:.4g}, the "
+                      "scans end at {:.4g}: elasticity and shape are held "
+                      "beyond; scan the end of the path, too",
+                      end,
+                      last));
     begin_tables(law);
     for (const CapLevel &level : fit_.levels) {
       law.relative_density.push_back(level.density);

@@ -127,7 +127,7 @@ Plot cap_tables_plot()
   return {"tables",
           "set multiplot layout 2,3\nunset key\nset format y \"%g\"\n"
           "density = \"relative_density[-]\"\nset xlabel \"relative density\""
-          "\nset xtics 0.1\n" +
+          "\nset xtics 0.1\nset tics font \",14\"\n" +
               panel("cohesion d [MPa]", "cohesion", "Pa", "1e-6") +
               panel("friction angle {/Symbol b} [deg]",
                     "friction_angle",

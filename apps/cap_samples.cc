@@ -50,13 +50,8 @@ PathElasticity common_elasticity(const std::vector<ProbeData> &probes)
 {
   std::vector<ModuliPoint> rows;
   for (const ProbeData &probe : probes) {
-    if (probe.moduli.empty())
-      continue;
-    const PlasticPath path(probe, PathElasticity(probe.moduli));
-    for (ModuliPoint row : probe.moduli) {
-      row.relative_density = path.unloaded(row.relative_density);
-      rows.push_back(row);
-    }
+    const auto own = unloaded_moduli(probe);
+    rows.insert(rows.end(), own.begin(), own.end());
   }
   if (!rows.empty())
     return PathElasticity(rows, true);
@@ -100,7 +95,8 @@ CapSamples::CapSamples(const std::vector<ProbeData> &probes,
   for (const ProbeData &probe : probes) {
     has_moduli_ |= !probe.moduli.empty();
     const PathElasticity elasticity =
-        probe.moduli.empty() ? common : PathElasticity(probe.moduli);
+        probe.moduli.empty() ? common
+                             : PathElasticity(unloaded_moduli(probe), true);
     probes_.push_back({&probe,
                        ordinals[static_cast<std::size_t>(probe.loading)]++,
                        elasticity,
@@ -180,11 +176,15 @@ std::vector<StressPoint> CapSamples::points_of(const Replica &replica,
   return points;
 }
 
-// Shear points are those below the centre of the cap that they lead to.
+// Shear points are those below the centre of the cap that they lead to. First
+// guess: those of the two lowest pressures, as one alone tells no cohesion.
 bool CapSamples::divide(const std::vector<StressPoint> &points,
                         Finding &finding) const
 {
-  double centre = std::max(0.25 * finding.uniaxial.p, points.front().p);
+  const auto second = std::ranges::find_if(points, [&](const StressPoint &at) {
+    return at.p > 1.1 * points.front().p;
+  });
+  double centre = second == points.end() ? points.back().p : second->p;
   std::size_t count = 0;
   for (unsigned round = 0; round < 20; ++round) {
     const auto end = std::ranges::upper_bound(

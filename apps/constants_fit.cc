@@ -4,6 +4,7 @@
 #include <apps/law_courses.h>
 #include <apps/plastic_density.h>
 #include <apps/units.h>
+#include <fem/laws/bracketed_root.h>
 
 #include <algorithm>
 #include <array>
@@ -20,6 +21,24 @@ namespace tamp::apps
 {
 namespace
 {
+/// How often the way from the middle of the surface on the axis of p to a point
+/// fits into that to the surface in the same direction [-]: sound at both ends
+/// of the surface, also where q is small.
+template <class Unknowns, class Law, class State>
+double times_to_surface(const Law &law, const State &state, StressPoint point)
+{
+  const double middle = Unknowns::yield_pressure(law, state) / 2;
+  const auto outside = [&](double times) {
+    return times * point.q -
+           Unknowns::shear_limit(
+               law, state, middle + times * (point.p - middle));
+  };
+  double far = 1;
+  for (unsigned i = 0; i < 60 && outside(far) < 0; ++i)
+    far *= 2;
+  return fem::bracketed_root(outside, 0, far, 1e-10).value_or(far);
+}
+
 /// The differences between a law and courses, as Ceres asks for them.
 template <class Unknowns>
 struct Differences {
@@ -76,7 +95,7 @@ private:
         take((q - stop.stress->q) / stop.stress->p, 0);
     }
     for (const StressPoint &point : stop.yields)
-      take(Unknowns::shear_limit(law, state, point.p) / point.q - 1, 1);
+      take(times_to_surface<Unknowns>(law, state, point) - 1, 1);
     for (const ModuliPoint &row : stop.moduli) {
       const ModuliPoint moduli = Unknowns::moduli(law, state);
       take(std::log(moduli.bulk_modulus / row.bulk_modulus), 2);

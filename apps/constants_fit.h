@@ -25,8 +25,8 @@ struct ConstantsFit {
   unsigned replicas = 0;
   /// Densities under load between which probes and law were compared [-].
   double first_density = 0, last_density = 0;
-  /// Root mean squares, relative: p and q on the main paths, q of the yield
-  /// points, K and G.
+  /// Root mean squares, relative: p and q on the main paths, distance of
+  /// yield points from the surface, K and G.
   double path_residual = 0, yield_residual = 0, modulus_residual = 0;
   std::vector<SurfacePicture> surfaces;
   std::vector<std::string> remarks;

@@ -89,14 +89,18 @@ PlasticPath::PlasticPath(const ProbeData &probe,
     const double density = state.relative_density;
     const double middle =
         points_.empty() ? density : std::sqrt(density * density_before);
-    const double elastic =
-        (state.pressure - before) /
-        elasticity_
-            .at(middle, points_.empty() ? density : std::exp(log_density))
-            .bulk_modulus;
     const double compaction = points_.empty()
                                   ? std::log(density)
                                   : std::log(density / density_before);
+    // Moduli half-way through the increment.
+    double elastic = 0;
+    for (unsigned i = 0; i < 2; ++i) {
+      const double unloaded =
+          points_.empty() ? density * std::exp(-elastic)
+                          : std::exp(log_density + (compaction - elastic) / 2);
+      elastic = (state.pressure - before) /
+                elasticity_.at(middle, unloaded).bulk_modulus;
+    }
     log_density += compaction - elastic;
     points_.push_back({std::exp(log_density), state});
     // A powder that has not yielded yet must not seem to become looser.
@@ -172,5 +176,21 @@ PathSlope PlasticPath::slope(double density, double reach) const
   const double compaction = 1 - fit(1, 0) / width / moduli.bulk_modulus;
   const double shear = 2. / 3 - fit(1, 1) / width / (3 * moduli.shear_modulus);
   return {fit(0, 0), fit(0, 1), compaction / shear};
+}
+
+std::vector<ModuliPoint> unloaded_moduli(const ProbeData &probe)
+{
+  if (probe.moduli.empty())
+    return {};
+  // Elastic strains are small: each repetition is nearer by a multiple.
+  constexpr unsigned repetitions = 8;
+  std::vector<ModuliPoint> rows = probe.moduli;
+  for (unsigned i = 0; i < repetitions; ++i) {
+    const PlasticPath path(probe, PathElasticity(rows, i > 0));
+    for (std::size_t k = 0; k < rows.size(); ++k)
+      rows[k].relative_density =
+          path.unloaded(probe.moduli[k].relative_density);
+  }
+  return rows;
 }
 } // namespace tamp::apps

@@ -77,6 +77,9 @@ private:
   std::vector<Point> points_; ///< not decreasing in unloaded density
   PathElasticity elasticity_;
 };
+/// The moduli of a probe, if it has some, over the unloaded density of its
+/// path: that depends on them in turn, and is found by repetition.
+std::vector<ModuliPoint> unloaded_moduli(const ProbeData &probe);
 } // namespace tamp::apps
 
 #endif

@@ -20,8 +20,8 @@ unit(level) = {}
 at(number, name) = column("level[-]") == number ? column(name) / unit(0) : NaN
 set xrange [0:*]
 set yrange [0:*]
-plot for [i in "{}"] "surfaces.csv" using (at(i + 0, p)):(at(i + 0, q)) with lines linecolor i + 1 title word("{}", i + 1), \
-     for [i in "{}"] "points.csv" using (column("kind[-]") == 0 ? at(i + 0, p) : NaN):(at(i + 0, q)) with points linecolor i + 1 pointsize 1.2 notitle, \
+plot for [i in "{}"] "surfaces.csv" using (at(i + 0, p)):(at(i + 0, q)) with lines linewidth 3 linecolor i + 1 title word("{}", i + 1), \
+     for [i in "{}"] "points.csv" using (column("kind[-]") == 0 ? at(i + 0, p) : NaN):(at(i + 0, q)) with points pointtype 7 linecolor i + 1 pointsize 1.2 notitle, \
      for [i in "{}"] "points.csv" using (column("kind[-]") == 1 ? at(i + 0, p) : NaN):(at(i + 0, q)) with points pointtype 6 linecolor i + 1 pointsize 1.6 linewidth 2 notitle
 )";
 

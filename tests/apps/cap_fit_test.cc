@@ -123,6 +123,22 @@ TEST(CapFit, TablesAreRecoveredFromAUniaxialProbeAlone)
   expect_recovered(fit, powder);
 }
 
+TEST(CapFit, PointsOnTheCapAreToldFromTheShearLine)
+{
+  const FitPlace place;
+  const Powder powder;
+  LawProbe scan = probe(false);
+  scan.shares = {0.1, 0.2, 0.7, 1, 1.1};
+  write_law_probe(powder.law(), scan, place / "uniaxial");
+  const CapFit fit =
+      fit_cap({read_probe(place / "uniaxial")}, YieldCriterion::strain);
+  expect_recovered(fit, powder);
+  for (const CapLevel &level : fit.levels) {
+    EXPECT_EQ(level.shear_points.size(), 2u);
+    EXPECT_EQ(level.cap_points.size(), 3u);
+  }
+}
+
 TEST(CapFit, FittedLawFollowsTheUniaxialPath)
 {
   const FitPlace place;

@@ -22,7 +22,7 @@ LawProbe probe(bool isotropic)
   result.isotropic = isotropic;
   result.last_density = 0.86;
   result.scans = {0.7, 0.74, 0.78, 0.82, 0.855};
-  result.shares = {0.1, 0.3, 0.6};
+  result.shares = {0.1, 0.3, 0.6, 0.95};
   return result;
 }
 
