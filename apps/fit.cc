@@ -310,6 +310,27 @@ plot "../curve.csv" using (column(density)):(column("stress_zz[Pa]") / 1e6) with
   const std::vector<ProbeData> &probes_;
   RunSession &session_;
 };
+// Grains slide long before their packing fails: an irreversible strain may be
+// reached below the state on the uniaxial path, and then no cap is possible.
+CapFit fit_some_cap(const std::vector<ProbeData> &probes,
+                    const std::optional<YieldCriterion> &criterion)
+{
+  if (criterion)
+    return fit_cap(probes, *criterion);
+  try {
+    return fit_cap(probes, YieldCriterion::strain);
+  } catch (const InputError &problem) {
+    try {
+      CapFit fit = fit_cap(probes, YieldCriterion::peak);
+      fit.remarks.emplace_back(
+          "yield by irreversible strain is below the states on the uniaxial "
+          "path: shear lines were drawn through peaks (--criterion peak)");
+      return fit;
+    } catch (const InputError &) {
+      throw problem;
+    }
+  }
+}
 } // namespace
 
 std::vector<std::string> fitted_laws()
@@ -337,8 +358,10 @@ int run_fit(const FitRequest &request, const RunOptions &options)
     });
   };
   if (law->kind == coupling::MaterialKind::drucker_prager_cap)
-    return run(fit_cap(probes, request.criterion), &FitRun::give_cap);
-  return run(fit_constants(law->kind, probes, request.criterion),
+    return run(fit_some_cap(probes, request.criterion), &FitRun::give_cap);
+  return run(fit_constants(law->kind,
+                           probes,
+                           request.criterion.value_or(YieldCriterion::strain)),
              &FitRun::give_constants);
 }
 } // namespace tamp::apps

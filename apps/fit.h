@@ -6,6 +6,7 @@
 #include <apps/run_session.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,9 @@ namespace tamp::apps
 struct FitRequest {
   std::vector<std::filesystem::path> folders; ///< of tamp probe
   std::string law = "drucker-prager-cap";
-  YieldCriterion criterion = YieldCriterion::strain;
+  /// None: irreversible strain, or for a cap the peak where that strain comes
+  /// before the state on the uniaxial path.
+  std::optional<YieldCriterion> criterion;
 };
 
 /// The laws that can be fitted, as --law names them.

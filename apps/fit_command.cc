@@ -30,10 +30,10 @@ void add_fit(CLI::App &app, int &code)
       {"peak", YieldCriterion::peak}};
   fit->add_option("--criterion",
                   request.criterion,
-                  "What tells yield in the scans: strain (irreversible, the "
-                  "default), work (plastic) or peak")
-      ->transform(CLI::CheckedTransformer(criteria))
-      ->default_str("strain");
+                  "What tells yield in the scans: strain (irreversible), work "
+                  "(plastic) or peak; default: strain, or peak for a cap that "
+                  "strain does not allow")
+      ->transform(CLI::CheckedTransformer(criteria));
   add_output_options(
       *fit, "FOLDER/fit/LAW of the first folder", choice->options);
   fit->callback([choice, &code] {

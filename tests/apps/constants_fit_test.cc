@@ -124,7 +124,7 @@ TEST(Fit, FolderHoldsWhatIsPromised)
   options.plots = false;
   for (const std::string law : {"modified-cam-clay", "drucker-prager-cap"}) {
     options.output = place / law;
-    ASSERT_EQ(run_fit({{place / "probe"}, law}, options), exit_done);
+    ASSERT_EQ(run_fit({{place / "probe"}, law, {}}, options), exit_done);
     for (const char *name :
          {"law.prm", "fit.csv", "curve.csv", "run.json", "summary.txt"})
       EXPECT_TRUE(std::filesystem::exists(options.output / name)) << name;
@@ -132,10 +132,43 @@ TEST(Fit, FolderHoldsWhatIsPromised)
                   .find("largest difference of loading"),
               std::string::npos);
     // Nothing is overwritten unasked.
-    EXPECT_THROW((void)run_fit({{place / "probe"}, law}, options), InputError);
+    EXPECT_THROW((void)run_fit({{place / "probe"}, law, {}}, options),
+                 InputError);
   }
   EXPECT_TRUE(
       std::filesystem::exists(place / "drucker-prager-cap/law_abaqus.inp"));
+}
+TEST(Fit, PeaksAreTakenWhereStrainAllowsNoCap)
+{
+  const FitPlace place;
+  write_law_probe(fem::ModifiedCamClay(clay()), probe(false), place / "probe");
+  // Criterion 0 at a fifth of q, the others as they are.
+  std::istringstream in(text_of(place / "probe/yield.csv"));
+  std::string text;
+  for (std::string line; std::getline(in, line);) {
+    std::vector<std::string> fields;
+    std::istringstream all(line);
+    for (std::string field; std::getline(all, field, ',');)
+      fields.push_back(field);
+    if (fields.size() > 7 && fields[5] == "0")
+      fields[7] = std::to_string(std::stod(fields[7]) / 5);
+    for (std::size_t k = 0; k < fields.size(); ++k)
+      text += (k > 0 ? "," : "") + fields[k];
+    text += "\n";
+  }
+  place.write("probe/yield.csv", text);
+  RunOptions options;
+  options.verbosity = Verbosity::quiet;
+  options.plots = false;
+  options.output = place / "fit";
+  const FitRequest request{{place / "probe"}, "drucker-prager-cap", {}};
+  ASSERT_EQ(run_fit(request, options), exit_done);
+  EXPECT_NE(text_of(options.output / "summary.txt").find("--criterion peak"),
+            std::string::npos);
+  options.output = place / "strict";
+  const FitRequest strict{
+      {place / "probe"}, "drucker-prager-cap", YieldCriterion::strain};
+  EXPECT_THROW((void)run_fit(strict, options), InputError);
 }
 } // namespace
 } // namespace tamp::apps
