@@ -25,8 +25,7 @@ struct ConstantsFit {
   unsigned replicas = 0;
   /// Densities under load between which probes and law were compared [-].
   double first_density = 0, last_density = 0;
-  /// Root mean squares, relative: p and q on the main paths, distance of
-  /// yield points from the surface, K and G.
+  /// Root mean squares, without weights: see fit_constants().
   double path_residual = 0, yield_residual = 0, modulus_residual = 0;
   std::vector<SurfacePicture> surfaces;
   std::vector<std::string> remarks;
@@ -34,10 +33,13 @@ struct ConstantsFit {
 
 /// Modified Cam-Clay (M, lambda, kappa, nu, p_c) or FKM-Gurson (sigma_0, E_s,
 /// nu, b, D_0) by least squares: points of the law are driven along the paths
-/// of the probes, and what they differ by in p, in q at yield, and in K and G
-/// counts alike, each relative and as a mean square. The minimum is found by
-/// the method of Levenberg and Marquardt (Ceres Solver). Throws InputError
-/// saying what the data lack, and std::runtime_error if there is no minimum.
+/// of the probes, and the mean squares of three kinds of differences are
+/// summed: ln p and q / p on the paths; ln of the distance of yield points from
+/// the middle of the surface, with a weight of 0.2; ln K and ln G, with 0.5. So
+/// a law whose surface has another shape than that of the powder follows the
+/// paths. The minimum is found by the method of Levenberg and Marquardt (Ceres
+/// Solver). Throws InputError saying what the data lack, and std::runtime_error
+/// if there is no minimum.
 /// @param kind  modified_cam_clay or fkm_gurson.
 ConstantsFit fit_constants(coupling::MaterialKind kind,
                            const std::vector<ProbeData> &probes,

@@ -127,7 +127,7 @@ public:
                     names_of(request_)),
         fmt::format("Relative densities from {:.4g} to {:.4g}, under load; "
                     "outside is a guess. Root mean squares of the differences: "
-                    "{:.2g} % of p and q on the paths, {:.2g} % at yield, "
+                    "{:.2g} % on the paths, {:.2g} % at yield, "
                     "{:.2g} % of the moduli.",
                     fit.first_density,
                     fit.last_density,
