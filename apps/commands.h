@@ -31,6 +31,8 @@ int run_die(const RunOptions &options);
 int inspect_point(const PointChoice &choice, RunOptions options);
 /// Adds the command that lays runs of one command side by side.
 void add_compare(CLI::App &app, int &code);
+/// Adds the command tamp fit, see run_fit(); its exit code goes to `code`.
+void add_fit(CLI::App &app, int &code);
 /// Reads and judges an input without running it: ranges, mesh, tools, schedule,
 /// memory, time. Writes nothing. Exit code 5 if it should not be run.
 int check_input(const RunOptions &options);

@@ -9,7 +9,7 @@ packages=(
   libdeal.ii-dev gmsh libeigen3-dev libhwy-dev libvtk9-dev
   libopenblas0-serial libceres-dev libcli11-dev nlohmann-json3-dev libspdlog-dev
   libfmt-dev libgtest-dev libbenchmark-dev gnuplot-nox clang-format-14
-  zlib1g-dev
+  libceres-dev zlib1g-dev
 )
 
 if ! command -v dpkg-query > /dev/null; then

@@ -41,6 +41,9 @@ constexpr const char *own_names[] = {"input.prm",
                                      "measured.csv",
                                      "packings",
                                      "residuals.csv",
+                                     "fit.csv",
+                                     "law.prm",
+                                     "law_abaqus.inp",
                                      "run.json"};
 
 // packing.h5, packing_0001.txt, grains_0001.vtp ...

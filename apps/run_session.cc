@@ -132,6 +132,24 @@ RunSession::RunSession(const std::string &command,
   }
 }
 
+RunSession::RunSession(const std::string &command,
+                       const RunOptions &options,
+                       const std::string &named,
+                       const std::vector<std::filesystem::path> &files)
+    : plots_(options.plots), resumes_(false)
+{
+  ParameterTable table;
+  declare_parameters(table);
+  input_ = read_input(table, Need::contact);
+  input_.files = files;
+  record_.command = command;
+  record_.input = named;
+  record_.threads = checked_threads(options.threads);
+  told_ = whole_input("", files);
+  record_.input_echo = told_;
+  open_folder(options, "");
+}
+
 void RunSession::open_folder(const RunOptions &options, const std::string &echo)
 {
   const auto path = options.output.empty() ? "results" / options.input.stem()
@@ -153,7 +171,7 @@ void RunSession::open_folder(const RunOptions &options, const std::string &echo)
       "tamp {} {} {}, input {}, {}{} threads",
       build_facts().version,
       record_.command,
-      options.input.filename().string(),
+      record_.input.filename().string(),
       text_hash(record_.input_echo),
       record_.ranks > 1 ? fmt::format("on {} ranks of ", record_.ranks) : "",
       record_.threads));
@@ -171,8 +189,11 @@ void RunSession::start_folder(const RunOptions &options,
                               const std::string &echo)
 {
   std::vector<std::filesystem::path> needed = input_.files;
-  needed.push_back(options.input);
+  if (!options.input.empty())
+    needed.push_back(options.input);
   folder_ = std::make_unique<RunFolder>(path, options.force, needed);
+  if (echo.empty())
+    return;
   folder_->write("input.prm",
                  fmt::format("# All parameters of this run in SI, tamp {}.\n{}",
                              build_facts().version,

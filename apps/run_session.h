@@ -31,7 +31,7 @@ enum ExitCode {
 
 /// What a user says on the command line of a run.
 struct RunOptions {
-  std::filesystem::path input;
+  std::filesystem::path input;  ///< empty: a command without one
   std::filesystem::path output; ///< empty: results/<name of the input>
   std::vector<std::string> settings;
   std::optional<int> threads; ///< none: all cores this rank may use
@@ -70,6 +70,13 @@ public:
              const RunOptions &options,
              Need need,
              const RankPlace &place = {});
+  /// A run that has no input but files that others wrote, such as results of
+  /// earlier runs. `named`: what the user calls them. Default settings of
+  /// output.
+  RunSession(const std::string &command,
+             const RunOptions &options,
+             const std::string &named,
+             const std::vector<std::filesystem::path> &files);
 
   const RunInput &input() const { return input_; }
   const RunFolder &folder() const { return *folder_; }

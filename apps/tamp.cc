@@ -3,7 +3,6 @@
 #include <apps/command_options.h>
 #include <apps/commands.h>
 #include <apps/nearest_name.h>
-#include <apps/planned_names.h>
 #include <apps/units.h>
 
 #include <CLI/CLI.hpp>
@@ -120,11 +119,6 @@ void check_command(const CLI::App &app, int argc, char **argv)
     throw InputError(
         fmt::format("expected a command: {}; 'tamp --help' says more", all));
   const std::string word = argv[1];
-  if (is_planned_command(word))
-    throw InputError(fmt::format("the command '{}' is not in this version; "
-                                 "commands are {}",
-                                 word,
-                                 all));
   if (!word.starts_with('-') && !std::ranges::count(commands, word))
     throw InputError(fmt::format("there is no command '{}'; did you mean "
                                  "'{}'? Commands are {}",
@@ -189,6 +183,7 @@ int run(int argc, char **argv)
   add_inspect(app, choice, options, code);
   add_compare(app, code);
   add_calibrate(app, code);
+  add_fit(app, code);
   add_other_commands(app, other, code);
   add_cite(app, code);
   add_selftest(app, code);

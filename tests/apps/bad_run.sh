@@ -22,7 +22,6 @@ OMPI_COMM_WORLD_SIZE=2 OMPI_COMM_WORLD_RANK=1 \
 expect 2 'missing.prm' -- "$tamp" probe missing.prm -o results
 expect 2 'a command' 'die, probe' -- "$tamp"
 expect 2 "'dye'" "'die'" -- "$tamp" dye bad.prm
-expect 2 "'fit'" 'not in this version' -- "$tamp" fit bad.prm
 expect 2 'Output/Checkpoint interval' "'5 mm'" 'a time' -- "$tamp" die bad.prm \
   -o results --set 'Output/Checkpoint interval = 5 mm'
 expect 2 '--wrong' -- "$tamp" probe bad.prm --wrong

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <apps/cap_geometry.h>
+#include <apps/isotonic.h>
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+#include <vector>
+
+namespace tamp::apps
+{
+namespace
+{
+constexpr double rounding = 1e-12; ///< of closed forms, relative
+
+// A cap with d = 2, beta = 55 degrees, R = 0.6, p_a = 40.
+const ShearLine line{2, std::tan(55 * std::numbers::pi / 180)};
+constexpr double eccentricity = 0.6, centre = 40;
+
+// The point of the cap at an angle, 0 at p_b.
+StressPoint on_cap(double angle)
+{
+  return {centre + eccentricity * line.at(centre) * std::cos(angle),
+          line.at(centre) * std::sin(angle)};
+}
+
+TEST(CapGeometry, PointAndDirectionOfFlowGiveTheCap)
+{
+  for (const double angle : {0.4, 0.9, 1.3}) {
+    const StressPoint stress = on_cap(angle);
+    const double ratio =
+        (stress.p - centre) / (eccentricity * eccentricity * stress.q);
+    const auto cap = cap_by_flow(line, stress, ratio);
+    ASSERT_TRUE(cap);
+    EXPECT_NEAR(cap->centre / centre, 1, rounding);
+    EXPECT_NEAR(cap->eccentricity / eccentricity, 1, rounding);
+    EXPECT_NEAR(cap->yield_pressure / on_cap(0).p, 1, rounding);
+  }
+}
+
+TEST(CapGeometry, PointAndEccentricityGiveTheCap)
+{
+  for (const double angle : {0.4, 0.9, 1.3}) {
+    const auto cap = cap_through(line, eccentricity, on_cap(angle));
+    ASSERT_TRUE(cap);
+    EXPECT_NEAR(cap->yield_pressure / on_cap(0).p, 1, rounding);
+  }
+}
+
+TEST(CapGeometry, StressAboveTheLineHasNoCap)
+{
+  EXPECT_FALSE(cap_by_flow(line, {10, 1.01 * line.at(10)}, 1.5));
+  EXPECT_FALSE(cap_through(line, 0.6, {10, 1.01 * line.at(10)}));
+}
+
+TEST(CapGeometry, LineThroughPointsIsFound)
+{
+  const std::vector<StressPoint> points{
+      {1, line.at(1)}, {3, line.at(3)}, {9, line.at(9)}};
+  const ShearLine found = fit_shear_line(points);
+  EXPECT_NEAR(found.cohesion / line.cohesion, 1, rounding);
+  EXPECT_NEAR(found.slope / line.slope, 1, rounding);
+  EXPECT_LT(residual_of(found, points), rounding);
+}
+
+TEST(CapGeometry, CohesionIsNotNegative)
+{
+  const std::vector<StressPoint> bent{{1, 0.8}, {2, 2.1}};
+  const ShearLine found = fit_shear_line(bent);
+  EXPECT_EQ(found.cohesion, 0);
+  EXPECT_GT(found.slope, 0.8);
+  EXPECT_LT(found.slope, 1.05);
+  EXPECT_FALSE(found.through_origin);
+  const std::vector<StressPoint> one{{2, 3}, {2.1, 3.1}};
+  EXPECT_TRUE(fit_shear_line(one).through_origin);
+}
+
+TEST(Isotonic, RisingValuesStay)
+{
+  const std::vector<double> values{1, 2, 2.5, 7};
+  EXPECT_EQ(isotonic(values), values);
+}
+
+TEST(Isotonic, ValuesThatFallShareTheirMean)
+{
+  const std::vector<double> values{1, 4, 2, 3, 8}, expected{1, 3, 3, 3, 8};
+  EXPECT_EQ(isotonic(values), expected);
+  const auto blocks = isotonic_blocks(values);
+  ASSERT_EQ(blocks.size(), 3u);
+  EXPECT_EQ(blocks[1].first, 1u);
+  EXPECT_EQ(blocks[1].count, 3u);
+}
+} // namespace
+} // namespace tamp::apps
