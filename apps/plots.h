@@ -53,6 +53,9 @@ std::vector<Plot> pack_plots();
 
 /// Plots of ../curve.csv of a probe.
 std::vector<Plot> probe_plots(bool unit_cell);
+
+/// Plots of ../yield.csv and ../moduli.csv.
+std::vector<Plot> scan_plots();
 } // namespace tamp::apps
 
 #endif

@@ -6,6 +6,7 @@
 #include <apps/interrupt.h>
 #include <apps/plots.h>
 #include <apps/probe_columns.h>
+#include <apps/probe_scan.h>
 #include <apps/run_material.h>
 #include <apps/series_writer.h>
 #include <coupling/grain_output.h>
@@ -35,7 +36,7 @@ public:
       : session_(session), path_(session.input().path),
         material_(prepare_material(session, {0, 1}, 1)),
         curve_(session.folder().path() / "curve.csv", header(), remarks()),
-        grains_(session.folder(), "grains.pvd")
+        grains_(session.folder(), "grains.pvd"), scan_(session, material_)
   {
     warn_of_history(session, material_.history);
     for (const ProbeStage &probe : path_.stages)
@@ -74,6 +75,7 @@ private:
       session_.result("worst_unbalance[-]", worst_unbalance_);
     }
     session_.result("doubtful_steps[-]", doubtful_);
+    scan_.give();
     if (doubtful_ > 0)
       session_.warn(fmt::format(
           "the answers of {} steps were doubtful: grains did not settle within "
@@ -148,11 +150,14 @@ private:
                         lateral_ / 1e6)};
   }
 
-  // A stage that ends at a share of the peak learns here what the peak is.
+  // A stage that ends at a share of the peak, or at a density, learns here what
+  // has been reached so far.
   void begin(unsigned stage)
   {
     if (path_.stages[stage].peak_share > 0)
       stages_[stage].until_stress = -path_.stages[stage].peak_share * peak_;
+    if (path_.stages[stage].density > 0)
+      aim_at_density(path_.stages[stage], density_, stages_[stage]);
     if (!material_.cells)
       return;
     material_.cells->turn();
@@ -180,6 +185,7 @@ private:
           0,
           dem::judge(material_.cells->cell(0), driving(), trace(stress) / 3),
           [&] { return place(record); });
+    scan_.take(record);
     report(record);
     if (step_ % session_.input().output.grain_interval == 0)
       write_grains();
@@ -250,9 +256,12 @@ private:
   {
     if (!session_.plots())
       return;
+    std::vector<Plot> plots = probe_plots(material_.cells != nullptr);
+    if (scan_.found())
+      std::ranges::move(scan_plots(), std::back_inserter(plots));
     const std::string problem =
         draw_plots(session_.folder().subfolder("plots"),
-                   probe_plots(material_.cells != nullptr),
+                   plots,
                    session_.input().output.plot_formats);
     if (!problem.empty())
       session_.log().warn(problem);
@@ -263,6 +272,7 @@ private:
   coupling::Material material_;
   CurveWriter curve_;
   SeriesWriter grains_;
+  ProbeScan scan_;
   CellRemarks cell_remarks_{session_, "cell", 1};
   std::vector<fem::PathStage> stages_;
   unsigned step_ = 0;

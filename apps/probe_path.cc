@@ -59,27 +59,68 @@ double positive_strain(StageReader &reader)
   return reader.positive(dimension::number);
 }
 
-void read_isotropic(StageReader &reader, fem::PathStage &stage)
+double positive_density(StageReader &reader)
 {
+  const double density = reader.positive(dimension::number);
+  if (!(density < 1))
+    reader.fail("a relative density between 0 and 1 before");
+  return density;
+}
+
+// "to strain E", or "by strain E" since the start of the stage; only the first
+// if the sign of E is free.
+void read_strain(StageReader &reader,
+                 fem::PathStage &stage,
+                 unsigned component,
+                 bool positive)
+{
+  const bool relative = reader.expect({"to", "by"}) == 1;
+  reader.expect({"strain"});
+  compress_to(stage,
+              component,
+              positive ? positive_strain(reader)
+                       : reader.quantity(dimension::number));
+  stage.components[component].relative = relative;
+}
+
+void read_isotropic(StageReader &reader, ProbeStage &probe)
+{
+  fem::PathStage &stage = probe.stage;
   reader.expect({"to"});
-  if (reader.expect({"strain", "pressure"}) == 0) {
+  switch (reader.expect({"strain", "pressure", "density"})) {
+  case 0: {
     const double strain = positive_strain(reader);
     for (const unsigned component : {xx, yy, zz})
       compress_to(stage, component, strain);
-  } else {
+    break;
+  }
+  case 1: {
     const double pressure = reader.quantity(dimension::pressure);
     for (const unsigned component : {xx, yy, zz})
       press_to(stage, component, pressure);
+    break;
+  }
+  default:
+    probe.density = positive_density(reader);
+    for (const unsigned component : {xx, yy, zz})
+      stage.components[component].value = -1. / 3;
   }
 }
 
-void read_uniaxial(StageReader &reader, fem::PathStage &stage)
+void read_uniaxial(StageReader &reader, ProbeStage &probe)
 {
   reader.expect({"to"});
-  if (reader.expect({"strain", "stress"}) == 0)
-    compress_to(stage, zz, positive_strain(reader));
-  else
-    stop_at(stage, reader.quantity(dimension::pressure), false);
+  switch (reader.expect({"strain", "stress", "density"})) {
+  case 0:
+    compress_to(probe.stage, zz, positive_strain(reader));
+    break;
+  case 1:
+    stop_at(probe.stage, reader.quantity(dimension::pressure), false);
+    break;
+  default:
+    probe.density = positive_density(reader);
+    probe.stage.components[zz].value = -1;
+  }
 }
 
 void read_unload(StageReader &reader, ProbeStage &probe)
@@ -107,9 +148,7 @@ void read_unload(StageReader &reader, ProbeStage &probe)
 
 void read_triaxial(StageReader &reader, fem::PathStage &stage)
 {
-  reader.expect({"to"});
-  reader.expect({"strain"});
-  compress_to(stage, zz, positive_strain(reader));
+  read_strain(reader, stage, zz, true);
   reader.expect({"at"});
   reader.expect({"pressure"});
   const double pressure = reader.quantity(dimension::pressure);
@@ -143,17 +182,20 @@ void read_simple_shear(StageReader &reader, fem::PathStage &stage)
   }
 }
 
-void read_constant_p_shear(StageReader &reader, fem::PathStage &stage)
+void read_constant_p(StageReader &reader, fem::PathStage &stage)
 {
-  reader.expect({"shear"});
-  reader.expect({"to"});
-  reader.expect({"strain"});
-  compress_to(stage, xz, reader.quantity(dimension::number));
+  const bool shear = reader.expect({"shear", "compression"}) == 0;
+  read_strain(reader, stage, shear ? xz : zz, !shear);
   reader.expect({"at"});
   reader.expect({"pressure"});
   const double pressure = reader.quantity(dimension::pressure);
   for (const unsigned component : {xx, yy, zz})
-    press_to(stage, component, pressure);
+    if (shear)
+      press_to(stage, component, pressure);
+    else if (component != zz)
+      press_to(stage, component, 1.5 * pressure);
+  if (!shear)
+    stage.axial_share = 0.5;
 }
 
 void read_components(StageReader &reader, fem::PathStage &stage)
@@ -191,10 +233,10 @@ ProbeStage read_stage(const std::string &text,
   stage = at_rest(stage_kinds[kind], increments.loading);
   switch (kind) {
   case 0:
-    read_isotropic(reader, stage);
+    read_isotropic(reader, probe);
     break;
   case 1:
-    read_uniaxial(reader, stage);
+    read_uniaxial(reader, probe);
     break;
   case 2:
     stage.maximum_increment = increments.unloading;
@@ -225,7 +267,7 @@ ProbeStage read_stage(const std::string &text,
     read_simple_shear(reader, stage);
     break;
   default:
-    read_constant_p_shear(reader, stage);
+    read_constant_p(reader, stage);
   }
   reader.finish();
   return probe;
@@ -244,6 +286,23 @@ ProbePath parse_path(const std::string &stages,
     path.stages.push_back(read_stage(
         text, static_cast<unsigned>(path.stages.size() + 1), increments));
   return path;
+}
+
+void aim_at_density(const ProbeStage &probe,
+                    double density_now,
+                    fem::PathStage &stage)
+{
+  if (!(density_now < probe.density))
+    throw InputError(fmt::format(
+        "Path/Stages: the {} stage to density {:g} begins at a relative "
+        "density of {:.4g}; expected a larger one",
+        stage.name,
+        probe.density,
+        density_now));
+  const double strain = std::log(probe.density / density_now);
+  for (const unsigned component : {xx, yy, zz})
+    stage.components[component].value =
+        strain * probe.stage.components[component].value;
 }
 
 namespace

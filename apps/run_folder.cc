@@ -32,6 +32,8 @@ constexpr const char *own_names[] = {"input.prm",
                                      "summary.txt",
                                      "checkpoint",
                                      "trials.tamp",
+                                     "yield.csv",
+                                     "moduli.csv",
                                      "inspect",
                                      "run.json"};
 

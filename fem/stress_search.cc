@@ -196,7 +196,8 @@ bool StressSearch::evaluate(const Six &strain, const Want want)
   const Six stress = components(response.stress);
   trial_residual_.clear();
   for (const unsigned i : goal_.free)
-    trial_residual_.push_back(stress[i] - goal_.stress[i]);
+    trial_residual_.push_back(stress[i] + goal_.axial_share * stress[2] -
+                              goal_.stress[i]);
   return response.status != Status::failed && std::isfinite(largest(stress));
 }
 
@@ -217,7 +218,9 @@ void StressSearch::take_tangent()
     for (std::size_t j = 0; j < n; ++j) {
       const auto &[a, b] = entry[goal_.free[i]];
       const auto &[c, d] = entry[goal_.free[j]];
-      slope_[i][j] = tangent[a][b][c][d] * (c == d ? 1 : 2);
+      slope_[i][j] =
+          (tangent[a][b][c][d] + goal_.axial_share * tangent[2][2][c][d]) *
+          (c == d ? 1 : 2);
     }
 }
 
