@@ -71,7 +71,7 @@ void declare_scan(ParameterTable &table)
                  small,
                  "Of the branches until they yield");
   table.quantity("Maximum strain",
-                 "0.1",
+                 "0.2",
                  dimension::number,
                  {0, 0.5, true, false},
                  "Of the branches until they yield, and from there until a "

@@ -18,7 +18,7 @@ struct ScanSettings {
   double plastic_work = 5e-4;   ///< at yield, over the reached pressure [-]
   double modulus_strain = 1e-4; ///< of the small probes [-]
   double increment = 2e-4;      ///< of strain until yield [-]
-  double largest_strain = 0.1;  ///< of a branch [-]
+  double largest_strain = 0.2;  ///< of a branch [-]
 
   bool on() const { return !densities.empty(); }
 };

@@ -132,6 +132,10 @@ private:
     goal_.tolerance = tolerance_;
     goal_.largest_correction = stage.maximum_increment;
     goal_.axial_share = stage.axial_share;
+    goal_.deviatoric = stage.deviatoric;
+    if (stage.deviatoric)
+      begin_strain_[2] = end_strain_[2] =
+          strain_[2] - 0.5 * (strain_[0] + strain_[1]);
     for (unsigned i = 0; i < 6; ++i) {
       const ComponentTarget &target = stage.components[i];
       if (target.control == ComponentTarget::Control::stress) {

@@ -40,10 +40,12 @@ PathStage stage_of(BranchKind kind, double mean, double strain)
     [[fallthrough]];
   case BranchKind::compression:
     stage.axial_share = 0.5;
+    stage.deviatoric = true;
     for (const unsigned i : {xx, yy})
       stage.components[i] = {Control::stress, 1.5 * mean, false};
     break;
   case BranchKind::triaxial:
+    stage.deviatoric = true;
     for (const unsigned i : {xx, yy})
       stage.components[i] = {Control::stress, mean, false};
     break;
@@ -108,7 +110,7 @@ BranchEnd drive_branch(MaterialPoints &points,
   if (sheared(kind)) {
     stages.push_back(stages[0]);
     stages[1].maximum_increment = driving.coarse_increment;
-    stages[1].enough = [&] { return search.ended(); };
+    stages[1].enough = [&] { return !search.yielded() || search.ended(); };
   }
   BranchEnd result;
   result.end = drive_path(
@@ -117,7 +119,7 @@ BranchEnd drive_branch(MaterialPoints &points,
       {},
       [&](const PathRecord &record) { search.take(record); },
       driving.stress_tolerance);
-  result.points = search.points();
+  result.points = search.points(sheared(kind));
   return result;
 }
 } // namespace tamp::fem

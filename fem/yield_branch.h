@@ -26,7 +26,8 @@ std::string words_of(BranchKind kind);
 struct BranchDriving {
   double increment = 2e-4;        ///< of strain until yield [-]
   double coarse_increment = 1e-3; ///< of strain from there to the peak [-]
-  double largest_strain = 0.1;    ///< axial, until yield and from there on [-]
+  /// Axial, or axial less lateral if sheared: until yield, and from there [-]
+  double largest_strain = 0.2;
   double stress_tolerance = 1e-3; ///< see drive_path()
   std::function<void()> turn; ///< called where the direction turns, or empty
 };

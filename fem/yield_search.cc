@@ -156,13 +156,13 @@ std::optional<YieldPoint> YieldSearch::crossing(YieldCriterion criterion) const
       criterion, entry, static_cast<std::size_t>(beyond - entries_.begin()));
 }
 
-std::vector<YieldPoint> YieldSearch::points() const
+std::vector<YieldPoint> YieldSearch::points(bool with_peak) const
 {
   std::vector<YieldPoint> points;
   for (const auto criterion : {YieldCriterion::strain, YieldCriterion::work})
     if (const auto found = crossing(criterion))
       points.push_back(*found);
-  if (peaked() || critical())
+  if (with_peak && (peaked() || critical()))
     points.push_back(point(YieldCriterion::peak, entries_[peak()], peak()));
   return points;
 }

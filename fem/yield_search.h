@@ -59,7 +59,8 @@ public:
   /// another density.
   bool ended() const;
   /// What was found: at most one point for each criterion, in their order.
-  std::vector<YieldPoint> points() const;
+  /// @param with_peak  whether a largest deviatoric stress means anything
+  std::vector<YieldPoint> points(bool with_peak = true) const;
 
 private:
   struct Entry {
