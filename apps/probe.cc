@@ -6,6 +6,7 @@
 #include <apps/interrupt.h>
 #include <apps/plots.h>
 #include <apps/probe_columns.h>
+#include <apps/probe_replicas.h>
 #include <apps/probe_scan.h>
 #include <apps/run_material.h>
 #include <apps/series_writer.h>
@@ -18,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <mutex>
 #include <optional>
 
 namespace tamp::apps
@@ -32,11 +34,12 @@ struct Interrupted {
 class ProbeRun
 {
 public:
-  explicit ProbeRun(RunSession &session)
-      : session_(session), path_(session.input().path),
+  ProbeRun(RunSession &session, const ProbeMember &member)
+      : session_(session), member_(member), path_(session.input().path),
         material_(prepare_material(session, {0, 1}, 1)),
         curve_(session.folder().path() / "curve.csv", header(), remarks()),
-        grains_(session.folder(), "grains.pvd"), scan_(session, material_)
+        grains_(session.folder(), "grains.pvd"),
+        scan_(session, material_, member.replica)
   {
     warn_of_history(session, material_.history);
     for (const ProbeStage &probe : path_.stages)
@@ -243,6 +246,9 @@ private:
         session_.input().output.grain_output == GrainOutput::none ||
         written_ == step_)
       return;
+    std::unique_lock<std::mutex> lock;
+    if (member_.writing)
+      lock = std::unique_lock(*member_.writing);
     session_.folder().subfolder("grains");
     const std::string file = fmt::format("grains/step_{:04d}.vtp", step_);
     coupling::write_grains(material_.cells->cell(0),
@@ -268,6 +274,7 @@ private:
   }
 
   RunSession &session_;
+  ProbeMember member_;
   const ProbePath &path_;
   coupling::Material material_;
   CurveWriter curve_;
@@ -284,17 +291,22 @@ private:
 };
 } // namespace
 
-int run_probe(const RunOptions &options)
+int run_member(const RunOptions &options, const ProbeMember &member)
 {
   RunSession session("probe", options, Need::probe);
-  watch_signals();
   return session.run([&]() -> RunEnd {
     try {
-      ProbeRun run(session);
+      ProbeRun run(session, member);
       return run.work();
     } catch (const PackingError &error) {
       return {exit_not_converged, error.what()};
     }
   });
+}
+
+int run_probe(const RunOptions &options)
+{
+  watch_signals();
+  return run_member(options, {});
 }
 } // namespace tamp::apps
