@@ -20,7 +20,7 @@ std::vector<Plot> scan_plots()
 set xlabel "mean pressure [MPa]"
 set ylabel "deviatoric stress [MPa]"
 set cblabel "relative density [-]"
-set key left top
+set key right top
 set xrange [0:*]
 set yrange [0:*]
 )") + colours +
