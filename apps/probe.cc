@@ -10,6 +10,7 @@
 #include <apps/probe_scan.h>
 #include <apps/run_material.h>
 #include <apps/series_writer.h>
+#include <apps/units.h>
 #include <coupling/grain_output.h>
 #include <fem/path_driver.h>
 
@@ -306,6 +307,9 @@ int run_member(const RunOptions &options, const ProbeMember &member)
 
 int run_probe(const RunOptions &options)
 {
+  if (options.resume)
+    throw InputError("--resume: a single probe begins anew, with --force; "
+                     "those of --replicas and --sizes go on");
   watch_signals();
   return run_member(options, {});
 }

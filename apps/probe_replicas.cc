@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <apps/checkpoints.h>
 #include <apps/curve_writer.h>
 #include <apps/interrupt.h>
 #include <apps/mean_curve.h>
@@ -7,13 +8,18 @@
 #include <apps/probe_replicas.h>
 #include <apps/units.h>
 #include <coupling/work_sharing.h>
+#include <fem/laws/continuum_points.h>
+#include <fem/laws/elastic.h>
+#include <fem/ranks.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <fmt/format.h>
+#include <fstream>
 #include <iterator>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <numeric>
 #include <optional>
 
@@ -45,6 +51,14 @@ const std::vector<std::string> replica_header{"size[-]",
                                               "peak_relative_density[-]",
                                               "final_relative_density[-]"};
 
+// Whether a probe came to its end in this folder.
+bool is_done(const fs::path &folder)
+{
+  std::ifstream in(folder / "run.json");
+  const auto tree = nlohmann::json::parse(in, nullptr, false);
+  return tree.is_object() && tree.value("status", "") == "done";
+}
+
 class ReplicaRun
 {
 public:
@@ -73,6 +87,7 @@ public:
 
   RunEnd work()
   {
+    remember_input();
     session_.log().begin(fmt::format("probing {} cells", members_.size()));
     std::vector<std::size_t> order(members_.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
@@ -92,15 +107,28 @@ public:
   }
 
 private:
+  // A checkpoint without a state: what --resume compares the input with. The
+  // folders of the cells that are done are all that it needs.
+  void remember_input()
+  {
+    const fem::Ranks alone;
+    const fem::ContinuumPoints<fem::Elastic> nothing(fem::Elastic({}), 0);
+    Checkpoints(session_, alone).write(0, {}, nothing);
+  }
+
   void probe(std::size_t i)
   {
     if (caught_signal())
       return;
     Member &member = members_[i];
+    if (session_.resumes() && is_done(member.folder))
+      return;
     RunOptions options = options_;
     options.output = member.folder;
     options.settings.push_back(fmt::format("Grains/Count = {}", member.size));
     options.settings.push_back(fmt::format("Packing/Seed = {}", member.seed));
+    options.force = options.force || session_.resumes();
+    options.resume = false;
     options.threads = 1;
     options.verbosity = Verbosity::quiet;
     member.code = run_member(options, {member.replica, &writing_});

@@ -127,6 +127,11 @@ void add_probe(CLI::App &app,
   CLI::App *probe =
       app.add_subcommand("probe", "Take one material point along a path");
   add_run_options(*probe, options);
+  probe
+      ->add_flag("--resume",
+                 options.resume,
+                 "With --replicas or --sizes: keep the cells that are done")
+      ->excludes("--force");
   probe->add_option("--replicas",
                     replicas.replicas,
                     "Cells of so many seeds, their mean and scatter");

@@ -56,5 +56,30 @@ grep -q 'stress_zz_deviation\[Pa\]' many/curve.csv || fail "the deviation"
 grep -q 'recommended size' many/summary.txt || fail "the recommended size"
 [ "$(grep -v '^[#r]' many/yield.csv | cut -d, -f1 | sort -u | wc -l)" -eq 2 ] ||
   fail "yield.csv of two replicas"
+
+# Killed on the way, cells that are done are kept, and the rest is as if nobody
+# had killed anything.
+many=("$tamp" probe cells.prm -q --no-plots --replicas 3 --threads 1
+  --set 'Scan/Densities = 0.7')
+"${many[@]}" -o whole
+"${many[@]}" -o killed &
+run=$!
+until grep -qs '"status": "done"' killed/size_*/run.json; do
+  kill -0 "$run" 2> /dev/null || fail "it had ended before"
+  sleep 0.002
+done
+kill -KILL "$run"
+wait "$run" 2> /dev/null || true
+[ ! -e killed/replicas.csv ] || fail "it had ended before it was killed"
+kept=$(grep -ls '"status": "done"' killed/size_*/run.json | head -n 1)
+cp -p "$kept" kept.json
+expect 2 'the input is not that of the run' -- \
+  "${many[@]}" -o killed --resume --set 'Contact/Friction coefficient = 0.2'
+"${many[@]}" -o killed --resume
+cmp "$kept" kept.json || fail "a cell that was done was done again"
+(cd whole && find . -name '*.csv') | while read -r file; do
+  cmp "whole/$file" "killed/$file" || exit 1
+done || fail "the killed run ends otherwise"
+expect 2 '--resume' 'begins anew' -- "${probe[@]}" -o one --resume
 [ "$failures" -eq 0 ] || exit 1
 echo "all well"
