@@ -53,6 +53,12 @@ std::vector<Plot> pack_plots();
 
 /// Plots of ../curve.csv of a probe.
 std::vector<Plot> probe_plots(bool unit_cell);
+
+/// Plots of ../curve.csv and ../replicas.csv of several probes.
+std::vector<Plot> replica_plots();
+
+/// Plots of ../yield.csv and ../moduli.csv.
+std::vector<Plot> scan_plots();
 } // namespace tamp::apps
 
 #endif

@@ -6,8 +6,11 @@
 #include <apps/interrupt.h>
 #include <apps/plots.h>
 #include <apps/probe_columns.h>
+#include <apps/probe_replicas.h>
+#include <apps/probe_scan.h>
 #include <apps/run_material.h>
 #include <apps/series_writer.h>
+#include <apps/units.h>
 #include <coupling/grain_output.h>
 #include <fem/path_driver.h>
 
@@ -17,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <mutex>
 #include <optional>
 
 namespace tamp::apps
@@ -31,11 +35,12 @@ struct Interrupted {
 class ProbeRun
 {
 public:
-  explicit ProbeRun(RunSession &session)
-      : session_(session), path_(session.input().path),
+  ProbeRun(RunSession &session, const ProbeMember &member)
+      : session_(session), member_(member), path_(session.input().path),
         material_(prepare_material(session, {0, 1}, 1)),
         curve_(session.folder().path() / "curve.csv", header(), remarks()),
-        grains_(session.folder(), "grains.pvd")
+        grains_(session.folder(), "grains.pvd"),
+        scan_(session, material_, member.replica)
   {
     warn_of_history(session, material_.history);
     for (const ProbeStage &probe : path_.stages)
@@ -74,6 +79,7 @@ private:
       session_.result("worst_unbalance[-]", worst_unbalance_);
     }
     session_.result("doubtful_steps[-]", doubtful_);
+    scan_.give();
     if (doubtful_ > 0)
       session_.warn(fmt::format(
           "the answers of {} steps were doubtful: grains did not settle within "
@@ -148,11 +154,14 @@ private:
                         lateral_ / 1e6)};
   }
 
-  // A stage that ends at a share of the peak learns here what the peak is.
+  // A stage that ends at a share of the peak, or at a density, learns here what
+  // has been reached so far.
   void begin(unsigned stage)
   {
     if (path_.stages[stage].peak_share > 0)
       stages_[stage].until_stress = -path_.stages[stage].peak_share * peak_;
+    if (path_.stages[stage].density > 0)
+      aim_at_density(path_.stages[stage], density_, stages_[stage]);
     if (!material_.cells)
       return;
     material_.cells->turn();
@@ -180,6 +189,7 @@ private:
           0,
           dem::judge(material_.cells->cell(0), driving(), trace(stress) / 3),
           [&] { return place(record); });
+    scan_.take(record);
     report(record);
     if (step_ % session_.input().output.grain_interval == 0)
       write_grains();
@@ -237,6 +247,9 @@ private:
         session_.input().output.grain_output == GrainOutput::none ||
         written_ == step_)
       return;
+    std::unique_lock<std::mutex> lock;
+    if (member_.writing)
+      lock = std::unique_lock(*member_.writing);
     session_.folder().subfolder("grains");
     const std::string file = fmt::format("grains/step_{:04d}.vtp", step_);
     coupling::write_grains(material_.cells->cell(0),
@@ -250,19 +263,24 @@ private:
   {
     if (!session_.plots())
       return;
+    std::vector<Plot> plots = probe_plots(material_.cells != nullptr);
+    if (scan_.found())
+      std::ranges::move(scan_plots(), std::back_inserter(plots));
     const std::string problem =
         draw_plots(session_.folder().subfolder("plots"),
-                   probe_plots(material_.cells != nullptr),
+                   plots,
                    session_.input().output.plot_formats);
     if (!problem.empty())
       session_.log().warn(problem);
   }
 
   RunSession &session_;
+  ProbeMember member_;
   const ProbePath &path_;
   coupling::Material material_;
   CurveWriter curve_;
   SeriesWriter grains_;
+  ProbeScan scan_;
   CellRemarks cell_remarks_{session_, "cell", 1};
   std::vector<fem::PathStage> stages_;
   unsigned step_ = 0;
@@ -274,17 +292,25 @@ private:
 };
 } // namespace
 
-int run_probe(const RunOptions &options)
+int run_member(const RunOptions &options, const ProbeMember &member)
 {
   RunSession session("probe", options, Need::probe);
-  watch_signals();
   return session.run([&]() -> RunEnd {
     try {
-      ProbeRun run(session);
+      ProbeRun run(session, member);
       return run.work();
     } catch (const PackingError &error) {
       return {exit_not_converged, error.what()};
     }
   });
+}
+
+int run_probe(const RunOptions &options)
+{
+  if (options.resume)
+    throw InputError("--resume: a single probe begins anew, with --force; "
+                     "those of --replicas and --sizes go on");
+  watch_signals();
+  return run_member(options, {});
 }
 } // namespace tamp::apps

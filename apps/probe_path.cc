@@ -2,16 +2,9 @@
 #include <apps/probe_path.h>
 #include <apps/stage_reader.h>
 
-#include <deal.II/base/tensor.h>
-
 #include <algorithm>
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <fmt/format.h>
-#include <fstream>
-#include <optional>
-#include <sstream>
 
 namespace tamp::apps
 {
@@ -59,27 +52,68 @@ double positive_strain(StageReader &reader)
   return reader.positive(dimension::number);
 }
 
-void read_isotropic(StageReader &reader, fem::PathStage &stage)
+double positive_density(StageReader &reader)
 {
+  const double density = reader.positive(dimension::number);
+  if (!(density < 1))
+    reader.fail("a relative density between 0 and 1 before");
+  return density;
+}
+
+// "to strain E", or "by strain E" since the start of the stage; only the first
+// if the sign of E is free.
+void read_strain(StageReader &reader,
+                 fem::PathStage &stage,
+                 unsigned component,
+                 bool positive)
+{
+  const bool relative = reader.expect({"to", "by"}) == 1;
+  reader.expect({"strain"});
+  compress_to(stage,
+              component,
+              positive ? positive_strain(reader)
+                       : reader.quantity(dimension::number));
+  stage.components[component].relative = relative;
+}
+
+void read_isotropic(StageReader &reader, ProbeStage &probe)
+{
+  fem::PathStage &stage = probe.stage;
   reader.expect({"to"});
-  if (reader.expect({"strain", "pressure"}) == 0) {
+  switch (reader.expect({"strain", "pressure", "density"})) {
+  case 0: {
     const double strain = positive_strain(reader);
     for (const unsigned component : {xx, yy, zz})
       compress_to(stage, component, strain);
-  } else {
+    break;
+  }
+  case 1: {
     const double pressure = reader.quantity(dimension::pressure);
     for (const unsigned component : {xx, yy, zz})
       press_to(stage, component, pressure);
+    break;
+  }
+  default:
+    probe.density = positive_density(reader);
+    for (const unsigned component : {xx, yy, zz})
+      stage.components[component].value = -1. / 3;
   }
 }
 
-void read_uniaxial(StageReader &reader, fem::PathStage &stage)
+void read_uniaxial(StageReader &reader, ProbeStage &probe)
 {
   reader.expect({"to"});
-  if (reader.expect({"strain", "stress"}) == 0)
-    compress_to(stage, zz, positive_strain(reader));
-  else
-    stop_at(stage, reader.quantity(dimension::pressure), false);
+  switch (reader.expect({"strain", "stress", "density"})) {
+  case 0:
+    compress_to(probe.stage, zz, positive_strain(reader));
+    break;
+  case 1:
+    stop_at(probe.stage, reader.quantity(dimension::pressure), false);
+    break;
+  default:
+    probe.density = positive_density(reader);
+    probe.stage.components[zz].value = -1;
+  }
 }
 
 void read_unload(StageReader &reader, ProbeStage &probe)
@@ -107,9 +141,7 @@ void read_unload(StageReader &reader, ProbeStage &probe)
 
 void read_triaxial(StageReader &reader, fem::PathStage &stage)
 {
-  reader.expect({"to"});
-  reader.expect({"strain"});
-  compress_to(stage, zz, positive_strain(reader));
+  read_strain(reader, stage, zz, true);
   reader.expect({"at"});
   reader.expect({"pressure"});
   const double pressure = reader.quantity(dimension::pressure);
@@ -143,17 +175,20 @@ void read_simple_shear(StageReader &reader, fem::PathStage &stage)
   }
 }
 
-void read_constant_p_shear(StageReader &reader, fem::PathStage &stage)
+void read_constant_p(StageReader &reader, fem::PathStage &stage)
 {
-  reader.expect({"shear"});
-  reader.expect({"to"});
-  reader.expect({"strain"});
-  compress_to(stage, xz, reader.quantity(dimension::number));
+  const bool shear = reader.expect({"shear", "compression"}) == 0;
+  read_strain(reader, stage, shear ? xz : zz, !shear);
   reader.expect({"at"});
   reader.expect({"pressure"});
   const double pressure = reader.quantity(dimension::pressure);
   for (const unsigned component : {xx, yy, zz})
-    press_to(stage, component, pressure);
+    if (shear)
+      press_to(stage, component, pressure);
+    else if (component != zz)
+      press_to(stage, component, 1.5 * pressure);
+  if (!shear)
+    stage.axial_share = 0.5;
 }
 
 void read_components(StageReader &reader, fem::PathStage &stage)
@@ -191,10 +226,10 @@ ProbeStage read_stage(const std::string &text,
   stage = at_rest(stage_kinds[kind], increments.loading);
   switch (kind) {
   case 0:
-    read_isotropic(reader, stage);
+    read_isotropic(reader, probe);
     break;
   case 1:
-    read_uniaxial(reader, stage);
+    read_uniaxial(reader, probe);
     break;
   case 2:
     stage.maximum_increment = increments.unloading;
@@ -225,7 +260,7 @@ ProbeStage read_stage(const std::string &text,
     read_simple_shear(reader, stage);
     break;
   default:
-    read_constant_p_shear(reader, stage);
+    read_constant_p(reader, stage);
   }
   reader.finish();
   return probe;
@@ -246,121 +281,21 @@ ProbePath parse_path(const std::string &stages,
   return path;
 }
 
-namespace
+void aim_at_density(const ProbeStage &probe,
+                    double density_now,
+                    fem::PathStage &stage)
 {
-// Which columns of a CSV file hold the nine components, and of what.
-struct GradientColumns {
-  std::array<std::size_t, 9> place{0, 1, 2, 3, 4, 5, 6, 7, 8};
-  std::size_t count = 9;
-  bool relative = false;
-};
-
-std::vector<std::string> cells_of(const std::string &line)
-{
-  std::vector<std::string> cells;
-  std::istringstream in(line);
-  for (std::string cell; std::getline(in, cell, ',');)
-    cells.emplace_back(trimmed(cell));
-  return cells;
+  if (!(density_now < probe.density))
+    throw InputError(fmt::format(
+        "Path/Stages: the {} stage to density {:g} begins at a relative "
+        "density of {:.4g}; expected a larger one",
+        stage.name,
+        probe.density,
+        density_now));
+  const double strain = std::log(probe.density / density_now);
+  for (const unsigned component : {xx, yy, zz})
+    stage.components[component].value =
+        strain * probe.stage.components[component].value;
 }
 
-// None if a component is missing.
-std::optional<GradientColumns> columns_of(const std::vector<std::string> &names)
-{
-  for (const std::string prefix : {"relative_F_", "F_"}) {
-    GradientColumns columns{.count = names.size(), .relative = prefix != "F_"};
-    unsigned found = 0;
-    for (unsigned i = 0; i < 9; ++i) {
-      const std::string name = prefix + "xyz"[i / 3] + "xyz"[i % 3];
-      const auto place =
-          std::ranges::find_if(names, [&](const std::string &column) {
-            return column == name || column == name + "[-]";
-          });
-      if (place != names.end()) {
-        columns.place[i] =
-            static_cast<std::size_t>(std::distance(names.begin(), place));
-        ++found;
-      }
-    }
-    if (found == 9)
-      return columns;
-  }
-  return {};
-}
-
-// None if the line is not what the columns promise.
-std::optional<dealii::Tensor<2, 3>>
-gradient_of(const std::vector<std::string> &cells,
-            const GradientColumns &columns)
-{
-  if (cells.size() != columns.count)
-    return {};
-  dealii::Tensor<2, 3> F;
-  for (unsigned i = 0; i < 9; ++i) {
-    const std::string &cell = cells[columns.place[i]];
-    const auto [end, error] = std::from_chars(
-        cell.data(), cell.data() + cell.size(), F[i / 3][i % 3]);
-    if (error != std::errc() || end != cell.data() + cell.size())
-      return {};
-  }
-  if (!(determinant(F) > 0))
-    return {};
-  return F;
-}
-} // namespace
-
-GradientPath read_gradients(const std::filesystem::path &file)
-{
-  std::ifstream in(file);
-  if (!std::filesystem::is_regular_file(file) || !in)
-    throw InputError(
-        fmt::format("the file '{}' with the deformation gradients is missing",
-                    file.string()));
-  GradientPath path;
-  GradientColumns columns;
-  std::string line;
-  for (unsigned number = 1; std::getline(in, line); ++number) {
-    const std::string text(trimmed(line));
-    if (text.empty() || text.front() == '#')
-      continue;
-    const auto refuse = [&](const char *expected) {
-      throw InputError(fmt::format(
-          "{}:{}: '{}': expected {}", file.string(), number, text, expected));
-    };
-    const std::vector<std::string> cells = cells_of(text);
-    if (path.gradients.empty() && text.find("F_") != std::string::npos) {
-      const auto named = columns_of(cells);
-      if (!named)
-        refuse("columns F_xx[-], F_xy[-] ... F_zz[-] or relative_F_xx[-] ...");
-      columns = *named;
-      continue;
-    }
-    const auto F = gradient_of(cells, columns);
-    if (!F)
-      refuse("nine numbers F_xx, F_xy ... F_zz with det F > 0");
-    path.gradients.push_back(*F);
-  }
-  if (path.gradients.empty())
-    throw InputError(file.string() + ": there is no deformation gradient");
-  path.relative = columns.relative;
-  return path;
-}
-
-void read_files(ProbePath &path, const std::filesystem::path &folder)
-{
-  for (ProbeStage &probe : path.stages) {
-    if (probe.file.empty())
-      continue;
-    probe.file = folder / probe.file;
-    GradientPath read = read_gradients(probe.file);
-    if (read.relative && path.stages.size() == 1) {
-      path.increments = std::move(read.gradients);
-      continue;
-    }
-    if (read.relative)
-      for (std::size_t i = 1; i < read.gradients.size(); ++i)
-        read.gradients[i] = read.gradients[i] * read.gradients[i - 1];
-    probe.stage.gradients = std::move(read.gradients);
-  }
-}
 } // namespace tamp::apps

@@ -13,10 +13,12 @@
 namespace tamp::apps
 {
 /// A stage of a probe's path. If `peak_share` is set, the stage ends when the
-/// axial stress has fallen to this share of the largest one so far.
+/// axial stress has fallen to this share of the largest one so far. If
+/// `density` is set, aim_at_density() must be called where the stage begins.
 struct ProbeStage {
   fem::PathStage stage;
   double peak_share = 0;      ///< [-]; 0: not used
+  double density = 0;         ///< relative, at the end [-]; 0: not used
   std::filesystem::path file; ///< with the gradients of the stage; or empty
 };
 
@@ -35,15 +37,17 @@ struct ProbeIncrements {
 };
 
 /// Reads stages divided by semicolons, compression positive, axis z:
-///   isotropic to strain E | to pressure P
-///   uniaxial to strain E | to stress S
+///   isotropic to strain E | to pressure P | to density D
+///   uniaxial to strain E | to stress S | to density D
 ///   unload to strain E | to stress S | to R % of peak
-///   triaxial to strain E at pressure P
+///   triaxial to strain E | by strain E at pressure P
 ///   proportional K to strain E      (lateral strain = K x axial strain)
 ///   shear to strain E               (pure: strain_xz, all others at rest)
 ///   simple shear to strain G        (F_xz = -G since the start of the stage)
-///   constant-p shear to strain E at pressure P
+///   constant-p shear to strain E | by strain E at pressure P
 ///                                   (strain_xz; stress_xx, yy and zz are P)
+///   constant-p compression to strain E | by strain E at pressure P
+///                                   (strain_zz; stress_xx is stress_yy)
 ///   components xx strain E yy stress S ...   (those not named rest)
 ///   hold N steps
 ///   csv FILE                        (F of every increment since the start of
@@ -52,6 +56,12 @@ struct ProbeIncrements {
 /// Throws InputError naming the stage and the word.
 ProbePath parse_path(const std::string &stages,
                      const ProbeIncrements &increments);
+
+/// Sets the strains of a stage that ends at a density, from the density where
+/// it begins. Throws InputError if that is not smaller.
+void aim_at_density(const ProbeStage &probe,
+                    double density_now,
+                    fem::PathStage &stage);
 
 /// Reads the files of all stages; their names count from `folder`. Throws
 /// InputError naming file and line.

@@ -33,6 +33,9 @@ constexpr const char *own_names[] = {"input.prm",
                                      "summary.txt",
                                      "checkpoint",
                                      "trials.tamp",
+                                     "yield.csv",
+                                     "moduli.csv",
+                                     "replicas.csv",
                                      "inspect",
                                      "compare.csv",
                                      "difference.vtu",
@@ -46,11 +49,11 @@ constexpr const char *own_names[] = {"input.prm",
                                      "law_abaqus.inp",
                                      "run.json"};
 
-// packing.h5, packing_0001.txt, grains_0001.vtp ...
+// packing.h5, packing_0001.txt, grains_0001.vtp, size_00200_seed_1 ...
 bool is_packing(const std::string &name)
 {
   static const std::regex pattern(
-      R"((packing(_\d{4,})?\.(h5|txt)|grains(_\d{4,})?\.vtp))");
+      R"((packing(_\d{4,})?\.(h5|txt)|grains(_\d{4,})?\.vtp|size_\d+_seed_\d+))");
   return std::regex_match(name, pattern);
 }
 

@@ -23,10 +23,12 @@ void declare_path(ParameterTable &table)
              "uniaxial to strain 0.15; unload to 1 % of peak",
              "Divided by semicolons, compression positive, axis z: isotropic "
              "to strain E or pressure P; uniaxial to strain E or stress S; "
-             "unload to strain E, stress S or R % of peak; triaxial to strain "
-             "E at pressure P; proportional K to strain E; pure shear "
+             "unload to strain E, stress S or R % of peak; triaxial to "
+             "strain E at pressure P; proportional K to strain E; pure shear "
              "'shear to strain E'; simple shear to strain G; constant-p shear "
-             "to strain E at pressure P; components xx strain E yy stress S "
+             "or compression to strain E at pressure P ("
+             "'by strain E': since the start of the stage); components xx "
+             "strain E yy stress S "
              "...; hold N steps; csv FILE with F of every increment. Strains "
              "are logarithmic");
   table.quantity("Maximum strain increment",
@@ -89,6 +91,7 @@ void read_path(const ParameterTable &table, RunInput &input)
     table.complain(path, error.what());
   }
   input.stress_tolerance = table.number("Path/Stress tolerance");
+  input.scan = read_scan(table);
 }
 
 void read_output(const ParameterTable &table, OutputSettings &output)
@@ -247,6 +250,7 @@ void declare_parameters(ParameterTable &table)
   declare_pair(table);
   declare_material(table);
   declare_path(table);
+  declare_scan(table);
   declare_die_shape(table);
   declare_press(table);
   declare_output(table);

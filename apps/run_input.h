@@ -4,6 +4,7 @@
 
 #include <apps/contact_parameters.h>
 #include <apps/probe_path.h>
+#include <apps/scan_settings.h>
 #include <coupling/material_factory.h>
 #include <fem/die_settings.h>
 #include <fem/mesh_import.h>
@@ -34,6 +35,7 @@ struct RunInput {
   coupling::MaterialChoice material;
   ProbePath path;
   double stress_tolerance = 1e-3; ///< of the probe's stress control [-]
+  ScanSettings scan;              ///< of the probe
   fem::DieSettings die;
   fem::ImportedMesh mesh; ///< of the powder in the die
   PairInput pair;

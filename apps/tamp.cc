@@ -3,6 +3,7 @@
 #include <apps/command_options.h>
 #include <apps/commands.h>
 #include <apps/nearest_name.h>
+#include <apps/probe_replicas.h>
 #include <apps/units.h>
 
 #include <CLI/CLI.hpp>
@@ -59,6 +60,34 @@ void add_inspect(CLI::App &app,
   inspect->callback([&] {
     expect_one_rank("inspect");
     code = inspect_point(choice, options);
+  });
+}
+
+void add_probe(CLI::App &app,
+               RunOptions &options,
+               ReplicaChoice &replicas,
+               int &code)
+{
+  CLI::App *probe =
+      app.add_subcommand("probe", "Take one material point along a path");
+  add_run_options(*probe, options);
+  probe
+      ->add_flag("--resume",
+                 options.resume,
+                 "With --replicas or --sizes: keep the cells that are done")
+      ->excludes("--force");
+  probe->add_option("--replicas",
+                    replicas.replicas,
+                    "Cells of so many seeds, their mean and scatter");
+  probe
+      ->add_option("--sizes",
+                   replicas.sizes,
+                   "Cells of so many grains, divided by commas")
+      ->delimiter(',');
+  probe->callback([&] {
+    expect_one_rank("probe");
+    code = replicas.wanted() ? run_replicas(options, replicas)
+                             : run_probe(options);
   });
 }
 
@@ -148,13 +177,8 @@ int run(int argc, char **argv)
       ->excludes("--force");
   die->callback([&] { code = run_die(options); });
 
-  CLI::App *probe =
-      app.add_subcommand("probe", "Take one material point along a path");
-  add_run_options(*probe, options);
-  probe->callback([&] {
-    expect_one_rank("probe");
-    code = run_probe(options);
-  });
+  ReplicaChoice replicas;
+  add_probe(app, options, replicas, code);
 
   CLI::App *pack = app.add_subcommand("pack", "Make packings of grains");
   add_run_options(*pack, options);

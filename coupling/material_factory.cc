@@ -113,22 +113,27 @@ StoredPackings find_packings(const MaterialChoice &choice,
   return {make_packings(samples, choice.threads, progress), History::kept};
 }
 
-Material make_cells(const MaterialChoice &choice,
-                    std::size_t count,
-                    const std::function<void(std::size_t)> &progress)
+CellPointsOptions options_of(const MaterialChoice &choice)
 {
-  choice.driving.check();
   CellPointsOptions options;
   options.driving = choice.driving;
   options.threads = choice.threads;
   options.warm = choice.warm;
   options.first_point = choice.first_point;
+  return options;
+}
+
+Material make_cells(const MaterialChoice &choice,
+                    std::size_t count,
+                    const std::function<void(std::size_t)> &progress)
+{
+  choice.driving.check();
   StoredPackings packings = find_packings(choice, count, progress);
   std::vector<std::size_t> cell_of(count);
   for (std::size_t i = 0; i < count; ++i)
     cell_of[i] = i % packings.cells.size();
   auto points = std::make_unique<UnitCellPoints>(
-      std::move(packings.cells), std::move(cell_of), options);
+      std::move(packings.cells), std::move(cell_of), options_of(choice));
   Material material;
   material.cells = points.get();
   material.points = std::move(points);
@@ -180,5 +185,23 @@ Material make_material(const MaterialChoice &choice,
     return make_points<fem::FkmGurson>(choice, choice.fkm_gurson, count);
   }
   throw std::invalid_argument("unknown kind of material");
+}
+
+Material copy_point(const MaterialChoice &choice, const Material &material)
+{
+  Material copy;
+  if (material.cells) {
+    CellPointsOptions options = options_of(choice);
+    options.threads = 1;
+    auto points = std::make_unique<UnitCellPoints>(
+        std::vector<dem::UnitCell>{material.cells->cell(0)}, options);
+    copy.cells = points.get();
+    copy.points = std::move(points);
+  } else
+    copy = make_material(choice, 1);
+  std::vector<char> state;
+  material.points->pack(0, state);
+  copy.points->unpack(0, state);
+  return copy;
 }
 } // namespace tamp::coupling

@@ -105,6 +105,10 @@ struct Material {
 Material make_material(const MaterialChoice &choice,
                        std::size_t count,
                        const std::function<void(std::size_t)> &progress = {});
+
+/// A material of one point in the committed state of point 0 of another one,
+/// which was made by the same choice. Its cell is driven by one thread.
+Material copy_point(const MaterialChoice &choice, const Material &material);
 } // namespace tamp::coupling
 
 #endif

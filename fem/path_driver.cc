@@ -73,6 +73,8 @@ public:
         return PathEnd::finished;
       }
       accept(step);
+      if (stage.enough && stage.enough())
+        return PathEnd::finished;
       place = step >= 1 - place ? 1 : place + step;
       if (size < 0.5)
         nominal_ = std::min(longest, 1.5 * nominal_);
@@ -129,10 +131,16 @@ private:
     goal_.rotation = rotation;
     goal_.tolerance = tolerance_;
     goal_.largest_correction = stage.maximum_increment;
+    goal_.axial_share = stage.axial_share;
+    goal_.deviatoric = stage.deviatoric;
+    if (stage.deviatoric)
+      begin_strain_[2] = end_strain_[2] =
+          strain_[2] - 0.5 * (strain_[0] + strain_[1]);
     for (unsigned i = 0; i < 6; ++i) {
       const ComponentTarget &target = stage.components[i];
       if (target.control == ComponentTarget::Control::stress) {
         goal_.free.push_back(i);
+        begin_stress_[i] += stage.axial_share * stress_[2];
         end_stress_[i] = target.value;
       } else
         end_strain_[i] =

@@ -43,6 +43,16 @@ struct PathStage {
   /// If there are any, the stage follows these instead of its components: F
   /// since its start, an increment each. Rotation and all.
   std::vector<dealii::Tensor<2, 3>> gradients;
+  /// What the components under stress control aim at is their stress plus this
+  /// times that of zz: with 1/2, and 3/2 of a mean stress as the value of xx
+  /// and yy, the mean stress is held while zz is strained [-].
+  double axial_share = 0;
+  /// What is prescribed of zz is its strain less the mean of those of xx and
+  /// yy, which must be under stress control: a powder that dilates and softens
+  /// may not follow its axial strain alone.
+  bool deviatoric = false;
+  /// Ends the stage early once it says so after an increment; may be empty.
+  std::function<bool()> enough;
 };
 
 /// State of the one point after an accepted increment.

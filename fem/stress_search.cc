@@ -169,6 +169,7 @@ bool StressSearch::find(Six &strain)
   for (unsigned i = 0; i < 6; ++i)
     if (std::find(goal_.free.begin(), goal_.free.end(), i) == goal_.free.end())
       strain_[i] = goal_.strain[i];
+  hold_axis(strain_);
   for (unsigned iteration = 0; iteration < iterations; ++iteration) {
     if (iteration % refresh == 0) {
       const bool strain_only = goal_.free.empty();
@@ -196,8 +197,16 @@ bool StressSearch::evaluate(const Six &strain, const Want want)
   const Six stress = components(response.stress);
   trial_residual_.clear();
   for (const unsigned i : goal_.free)
-    trial_residual_.push_back(stress[i] - goal_.stress[i]);
+    trial_residual_.push_back(stress[i] + goal_.axial_share * stress[2] -
+                              goal_.stress[i]);
   return response.status != Status::failed && std::isfinite(largest(stress));
+}
+
+// Where zz is prescribed in relation to xx and yy, it goes with them.
+void StressSearch::hold_axis(Six &strain) const
+{
+  if (goal_.deviatoric)
+    strain[2] = goal_.strain[2] + 0.5 * (strain[0] + strain[1]);
 }
 
 double StressSearch::scale() const
@@ -217,7 +226,12 @@ void StressSearch::take_tangent()
     for (std::size_t j = 0; j < n; ++j) {
       const auto &[a, b] = entry[goal_.free[i]];
       const auto &[c, d] = entry[goal_.free[j]];
-      slope_[i][j] = tangent[a][b][c][d] * (c == d ? 1 : 2);
+      const auto slope = [&](unsigned k, unsigned l) {
+        return tangent[a][b][k][l] + goal_.axial_share * tangent[2][2][k][l];
+      };
+      slope_[i][j] = slope(c, d) * (c == d ? 1 : 2);
+      if (goal_.deviatoric && goal_.free[j] < 2)
+        slope_[i][j] += 0.5 * slope(2, 2);
     }
 }
 
@@ -242,6 +256,7 @@ bool StressSearch::correct()
     Six trial = strain_;
     for (std::size_t i = 0; i < step.size(); ++i)
       trial[goal_.free[i]] += step[i];
+    hold_axis(trial);
     if (evaluate(trial, Want::stress) && norm(trial_residual_) < 1.5 * before) {
       update(step);
       strain_ = trial;

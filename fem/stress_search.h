@@ -69,6 +69,8 @@ struct Goal {
   double tolerance = 0;          ///< relative to the largest stress
   double stress_scale = 0;       ///< the largest stress is at least this [Pa]
   double largest_correction = 0; ///< of a strain component in an iteration
+  double axial_share = 0;        ///< see PathStage [-]
+  bool deviatoric = false;       ///< see PathStage
   dealii::Tensor<2, 3> rotation = dealii::unit_symmetric_tensor<3>(); ///< R [-]
 };
 
@@ -86,6 +88,7 @@ public:
 
 private:
   bool evaluate(const Six &strain, Want want);
+  void hold_axis(Six &strain) const;
   double scale() const;
   void take_tangent();
   std::vector<double> correction() const;

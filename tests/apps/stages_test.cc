@@ -8,6 +8,7 @@
 
 #include <deal.II/base/tensor.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -238,6 +239,46 @@ TEST(ProbePath, ConstantPressureShearHoldsAllNormalStresses)
   }
   EXPECT_DOUBLE_EQ(components[4].value, -0.1);
   EXPECT_TRUE(components[3].relative);
+}
+
+TEST(ProbePath, StagesEndAtADensity)
+{
+  const auto path =
+      parse_path("isotropic to density 0.7; uniaxial to density 0.8", {});
+  fem::PathStage stage = path.stages[0].stage;
+  aim_at_density(path.stages[0], 0.6, stage);
+  // D = D_0 / det F.
+  for (const unsigned i : {0u, 1u, 2u}) {
+    EXPECT_TRUE(stage.components[i].relative);
+    EXPECT_NEAR(stage.components[i].value,
+                std::log(0.6 / 0.7) / 3,
+                1e-15); // rounding
+  }
+  stage = path.stages[1].stage;
+  aim_at_density(path.stages[1], 0.7, stage);
+  EXPECT_NEAR(stage.components[2].value, std::log(0.7 / 0.8), 1e-15);
+  EXPECT_EQ(stage.components[0].value, 0);
+  EXPECT_THROW(aim_at_density(path.stages[1], 0.8, stage), InputError);
+  EXPECT_THROW(parse_path("uniaxial to density 1.2", {}), InputError);
+}
+
+TEST(ProbePath, StrainsMayCountFromTheStage)
+{
+  const auto path =
+      parse_path("triaxial by strain 0.1 at pressure 1 MPa; "
+                 "constant-p compression by strain 0.2 at pressure 1 MPa",
+                 {});
+  const auto &triaxial = path.stages[0].stage.components;
+  EXPECT_TRUE(triaxial[2].relative);
+  EXPECT_DOUBLE_EQ(triaxial[2].value, -0.1);
+  // xx and yy add half of zz: three halves of the mean stress.
+  const fem::PathStage &stage = path.stages[1].stage;
+  EXPECT_EQ(stage.axial_share, 0.5);
+  EXPECT_TRUE(stage.components[2].relative);
+  for (const unsigned i : {0u, 1u}) {
+    EXPECT_EQ(stage.components[i].control, Control::stress);
+    EXPECT_DOUBLE_EQ(stage.components[i].value, -1.5e6);
+  }
 }
 
 TEST(ProbePath, AStageMayNameAFileOfGradients)

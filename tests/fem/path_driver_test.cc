@@ -131,6 +131,39 @@ TEST(PathDriver, SimpleCompressionHasYoungsModulus)
   }
 }
 
+TEST(PathDriver, MeanStressIsHeldWhileTheAxisIsStrained)
+{
+  auto points = elastic_points();
+  PathStage stage = press(-0.01);
+  stage.axial_share = 0.5;
+  for (const unsigned i : {0u, 1u})
+    stage.components[i] = {Control::stress, 1.5 * -2e6, false};
+  for (const bool deviatoric : {false, true}) {
+    stage.deviatoric = deviatoric;
+    stage.components[2].relative = true;
+    const Log log = drive(points, {stage}, 1e-9);
+    ASSERT_EQ(log.end, PathEnd::finished);
+    const auto &last = log.records.back();
+    EXPECT_NEAR(trace(last.response.stress) / 3, -2e6, 1e-8 * E * 0.01);
+    const double axial = std::log(last.F[2][2]),
+                 lateral = std::log(last.F[0][0]);
+    EXPECT_NEAR(deviatoric ? axial - lateral : axial, -0.01, 1e-9);
+  }
+}
+
+TEST(PathDriver, AStageEndsWhenItHasEnough)
+{
+  auto points = elastic_points();
+  PathStage stage = press(-0.01);
+  unsigned asked = 0;
+  stage.enough = [&] { return ++asked == 4; };
+  const Log log = drive(points, {stage, press(-0.01)});
+  EXPECT_EQ(log.end, PathEnd::finished);
+  EXPECT_NEAR(log.records.at(4).F[2][2], std::exp(-4e-3), 1e-14);
+  EXPECT_EQ(log.records.at(4).stage, 0u);
+  EXPECT_EQ(log.records.at(5).stage, 1u);
+}
+
 TEST(PathDriver, AllStressesCanBePrescribed)
 {
   auto points = elastic_points();
