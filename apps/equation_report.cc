@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <apps/compaction_equations.h>
 #include <apps/csv_reader.h>
-#include <apps/curve_writer.h>
 #include <apps/equation_report.h>
 
 #include <algorithm>
@@ -83,23 +82,17 @@ std::vector<std::string> remarks_of(const std::vector<CompactionFit> &fits)
   return remarks;
 }
 
-void write_table(const std::filesystem::path &file,
-                 const LoadingCurve &curve,
-                 const std::vector<CompactionFit> &fits)
+std::vector<double> line_of(const LoadingCurve &curve,
+                            const std::vector<CompactionFit> &fits,
+                            std::size_t i)
 {
-  std::vector<std::string> header{"pressure[Pa]", "relative_density[-]"};
+  const double P = curve.pressure[i];
+  std::vector<double> line{P, curve.density[i]};
   for (const CompactionFit &fit : fits)
-    header.push_back(fit.name + "[-]");
-  CurveWriter table(file, header, remarks_of(fits));
-  for (std::size_t i = 0; i < curve.pressure.size(); ++i) {
-    const double P = curve.pressure[i];
-    std::vector<double> line{P, curve.density[i]};
-    for (const CompactionFit &fit : fits)
-      line.push_back(P >= fit.lowest_pressure && P <= fit.highest_pressure
-                         ? fit.fitted_density[i]
-                         : std::numeric_limits<double>::quiet_NaN());
-    table.write(line);
-  }
+    line.push_back(P >= fit.lowest_pressure && P <= fit.highest_pressure
+                       ? fit.fitted_density[i]
+                       : std::numeric_limits<double>::quiet_NaN());
+  return line;
 }
 
 Plot plot_of(const std::vector<CompactionFit> &fits)
@@ -109,7 +102,6 @@ set xlabel "pressure [MPa]"
 set ylabel "relative density [-]"
 set logscale x
 set format x "%g"
-set key left top
 pressure = "pressure[Pa]"
 plot "../equations.csv" using (column(pressure) / 1e6):(column("relative_density[-]")) with points pointsize 0.8 linecolor rgb "#888888" title "curve")";
   constexpr std::array colours{
@@ -124,14 +116,15 @@ plot "../equations.csv" using (column(pressure) / 1e6):(column("relative_density
 }
 } // namespace
 
-bool is_compaction_equation(const std::string &name)
+std::vector<std::string> compaction_equations()
 {
-  return name == all || std::ranges::count(names, name) > 0;
+  std::vector<std::string> known(names.begin(), names.end());
+  known.emplace_back(all);
+  return known;
 }
 
 EquationReport report_equations(const std::filesystem::path &result,
-                                const std::string &equation,
-                                const std::filesystem::path &output)
+                                const std::string &equation)
 {
   const auto file = result / "curve.csv";
   const LoadingCurve curve = read_loading(file);
@@ -144,9 +137,13 @@ EquationReport report_equations(const std::filesystem::path &result,
   }
   if (equation != all)
     std::erase_if(fits, [&](const auto &fit) { return fit.name != equation; });
-  write_table(output / "equations.csv", curve, fits);
   EquationReport report;
+  report.header = {"pressure[Pa]", "relative_density[-]"};
+  report.remarks = remarks_of(fits);
+  for (std::size_t i = 0; i < curve.pressure.size(); ++i)
+    report.lines.push_back(line_of(curve, fits, i));
   for (const CompactionFit &fit : fits) {
+    report.header.push_back(fit.name + "[-]");
     const auto add = [&](const std::string &name, double value) {
       report.results.emplace_back(fit.name + "_" + name, value);
     };

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <apps/command_options.h>
 #include <apps/commands.h>
+#include <apps/equation_report.h>
 #include <apps/fit.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace tamp::apps
 {
@@ -18,11 +21,17 @@ void add_fit(CLI::App &app, int &code)
   };
   const auto choice = std::make_shared<Choice>();
   FitRequest &request = choice->request;
-  CLI::App *fit = app.add_subcommand("fit", "Fit a continuum law to probes");
-  fit->add_option("FOLDER", request.folders, "Folders of tamp probe")
+  CLI::App *fit = app.add_subcommand(
+      "fit", "Fit a continuum law, or equations of compaction, to probes");
+  fit->add_option("FOLDER",
+                  request.folders,
+                  "Folders of tamp probe; for equations one of probe or die")
       ->required();
-  fit->add_option("--law", request.law, "Which law")
-      ->check(CLI::IsMember(fitted_laws()))
+  const std::vector<std::string> equations = compaction_equations();
+  std::vector<std::string> laws = fitted_laws();
+  laws.insert(laws.end(), equations.begin(), equations.end());
+  fit->add_option("--law", request.law, "Which law or equation")
+      ->check(CLI::IsMember(laws))
       ->required();
   const std::map<std::string, YieldCriterion> criteria{
       {"strain", YieldCriterion::strain},
@@ -33,12 +42,16 @@ void add_fit(CLI::App &app, int &code)
                   "What tells yield in the scans: strain (irreversible), work "
                   "(plastic) or peak; default: strain, or peak for a cap that "
                   "strain does not allow")
-      ->transform(CLI::CheckedTransformer(criteria));
+      ->transform(CLI::CheckedTransformer(criteria).description(
+          "one of strain, work, peak"));
   add_output_options(
       *fit, "FOLDER/fit/LAW of the first folder", choice->options);
-  fit->callback([choice, &code] {
+  fit->callback([choice, equations, &code] {
     expect_one_rank("fit");
-    code = run_fit(choice->request, choice->options);
+    const bool of_compaction =
+        std::ranges::count(equations, choice->request.law) > 0;
+    code = (of_compaction ? run_equations : run_fit)(choice->request,
+                                                     choice->options);
   });
 }
 } // namespace tamp::apps

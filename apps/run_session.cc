@@ -154,7 +154,7 @@ void RunSession::open_folder(const RunOptions &options, const std::string &echo)
 {
   const auto path = options.output.empty() ? "results" / options.input.stem()
                                            : options.output;
-  if (resumes_ && record_.command != "die") { // no checkpoints
+  if (resumes_ && record_.command == "calibrate") { // its runs are its record
     folder_ = std::make_unique<RunFolder>(RunFolder::existing(path));
   } else if (resumes_) {
     found_.emplace(find_to_resume(path, told_));

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <apps/curve_writer.h>
+#include <apps/equation_report.h>
+#include <apps/fit.h>
+#include <apps/units.h>
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace tamp::apps
+{
+int run_equations(const FitRequest &request, const RunOptions &options)
+{
+  if (request.folders.size() != 1)
+    throw InputError(fmt::format("--law {} is fitted to the curve of one "
+                                 "folder, not of {}",
+                                 request.law,
+                                 request.folders.size()));
+  const std::filesystem::path &result = request.folders.front();
+  const EquationReport report = report_equations(result, request.law);
+  RunOptions chosen = options;
+  if (chosen.output.empty())
+    chosen.output = result / "fit" / request.law;
+  RunSession session(
+      "fit", chosen, result.filename().string(), {result / "curve.csv"});
+  return session.run([&]() -> RunEnd {
+    CurveWriter table(session.folder().path() / "equations.csv",
+                      report.header,
+                      report.remarks);
+    for (const std::vector<double> &line : report.lines)
+      table.write(line);
+    for (const auto &[name, value] : report.results)
+      if (std::isfinite(value)) // an equation may have no solution
+        session.result(name, value);
+    for (const std::string &warning : report.warnings)
+      session.warn(warning);
+    if (session.plots()) {
+      const std::string problem =
+          draw_plots(session.folder().subfolder("plots"),
+                     report.plots,
+                     session.input().output.plot_formats);
+      if (!problem.empty())
+        session.log().warn(problem);
+    }
+    return {};
+  });
+}
+} // namespace tamp::apps
