@@ -94,11 +94,15 @@ double Mdr::virgin_work(double overlap, const PairShape<double> &pair) const
 {
   const auto [first, second] = radii(pair);
   const double yield = flat_.yield_ratio();
+  const double small = std::min(first, second);
   // In terms of the square root of the overlap Hertz's force is smooth.
-  std::array<double, 4> ends = {
+  std::array<double, 5> ends = {
       0,
       std::sqrt(overlap_of_cut(yield * first, second, pair.radius_sum)),
       std::sqrt(overlap_of_cut(yield * second, first, pair.radius_sum)),
+      std::sqrt(overlap_of_cut(SphereOnFlat::overlap_limit * small,
+                               pair.radius_sum - small,
+                               pair.radius_sum)),
       std::sqrt(overlap)};
   for (double &end : ends)
     end = std::min(end, ends.back());
@@ -109,9 +113,11 @@ double Mdr::virgin_work(double overlap, const PairShape<double> &pair) const
   };
   constexpr int panels = 2;
   double work = 0;
-  for (int part = 0; part < 3; ++part)
+  for (std::size_t part = 0; part + 1 < ends.size(); ++part)
     for (int panel = 0; panel < panels; ++panel) {
       const double half = (ends[part + 1] - ends[part]) / (2 * panels);
+      if (half <= 0)
+        continue;
       const double middle = ends[part] + (2 * panel + 1) * half;
       for (const Node &node : gauss)
         work += half * node.weight *

@@ -80,19 +80,15 @@ public:
             V(0.0)};
   }
 
-  /// Where a flat comes within a twentieth of the radius of the centre of the
-  /// smaller grain, but at least 2 R*: grains of uniaxially pressed powder are
-  /// flat, and their centres nearer than half of R_i + R_j [m].
+  /// Where both flats come within a twentieth of the radius of the centre of
+  /// their grain [m]. Grains of uniaxially pressed powder are flat, and the
+  /// spheres of two that differ in size intersect beyond the centre of the
+  /// smaller one; the flat then stays before it and the larger one yields the
+  /// rest of the overlap, as in the source.
   template <class V>
   V deepest_overlap(const PairShape<V> &pair) const
   {
-    const V small = V(0.5) * (pair.radius_sum - abs(pair.radius_difference));
-    const V depth = V(SphereOnFlat::overlap_limit) * small;
-    const V half = pair.radius_sum - small + depth;
-    const V cut =
-        half -
-        sqrt(max(half * half - V(2.0) * pair.radius_sum * depth, V(0.0)));
-    return max(cut, V(2.0) * pair.reduced_radius);
+    return V(SphereOnFlat::overlap_limit) * pair.radius_sum;
   }
 
   /// dN/d delta for further loading, a difference over 1e-6 of the overlap
@@ -124,7 +120,7 @@ public:
   ///
   /// What a yielded contact gives back is a closed form, with delta_B N_bulk /
   /// 2 as for a constant area; the work of the virgin curve is Gauss-Legendre
-  /// quadrature between its kinks, good to 1e-11. The virgin curve is that of
+  /// quadrature between its kinks, good to 1e-9. The virgin curve is that of
   /// the radii now: where these have grown, the loss is an estimate.
   NormalEnergy energy(double overlap,
                       const PairShape<double> &pair,

@@ -149,6 +149,44 @@ TEST(MdrCell, GrowthTakesUpTheVolumeThatContactsDisplace)
   EXPECT_NEAR((grown + elastic) / displaced, 1, tolerance);
 }
 
+/// A column of grains of two sizes in turn, which touch: large ones of 0.55 and
+/// small ones of 0.5 mm, without friction.
+UnitCell column()
+{
+  constexpr std::size_t grains = 24;
+  constexpr double large = 0.55e-3, small = 0.5e-3;
+  UnitCell cell;
+  cell.materials[0] = request_for(NormalLaw::mdr).material;
+  cell.contact = request_for(NormalLaw::mdr).contact;
+  cell.contact.tangential_law = TangentialLaw::none;
+  cell.box.h = Vector3(5e-3, 5e-3, grains * (large + small)).asDiagonal();
+  for (std::size_t g = 0; g < grains; ++g) {
+    cell.radius.push_back(g % 2 == 0 ? large : small);
+    cell.place.emplace_back(0.5, 0.5, (double(g) + 0.5) / grains);
+  }
+  cell.reference_volume = cell.box.volume();
+  return cell;
+}
+
+TEST(MdrCell, GrainsOfUnequalSizeMayBePressedFlat)
+{
+  // To a quarter of the distance of their centres, past where the spheres
+  // intersect behind the centre of the smaller one. By symmetry nothing moves
+  // but with the cell.
+  UnitCell cell = column();
+  const Stretch stretch = Vector3(1, 1, std::exp(-1e-2)).asDiagonal();
+  double behind = 1;
+  while (cell.box.h(2, 2) > 0.25 * column().box.h(2, 2)) {
+    const CellAnswer answer = deform(cell, stretch, {});
+    ASSERT_EQ(answer.outcome, Outcome::settled) << cell.box.h(2, 2);
+    ASSERT_LT(answer.stress(2, 2), 0) << cell.box.h(2, 2);
+    const double way = cell.box.h(2, 2) / double(cell.size());
+    const double large = cell.radius[0], small = cell.radius[1];
+    behind = (way * way + small * small - large * large) / (2 * way * small);
+  }
+  EXPECT_LT(behind, 1 - SphereOnFlat::overlap_limit);
+}
+
 TEST(MdrCell, HasNoBulkPartAboveTheOnset)
 {
   UnitCell with = mdr_cell(), without = mdr_cell();

@@ -171,6 +171,36 @@ TEST(Mdr, ForceIsContinuousInLoading)
     }
 }
 
+TEST(Mdr, LargerGrainYieldsOnWhereTheSmallerIsFlat)
+{
+  constexpr double rounding = 1e-14;
+  constexpr double limit = SphereOnFlat::overlap_limit;
+  for (double second : {.45, .2}) {
+    Contact contact(0.5, second);
+    const double deepest = soft.deepest_overlap(contact.pair);
+    const double step = 1e-5 * deepest;
+    // The steepest that the geometric area lets the force grow.
+    const double slope =
+        4 * soft.flat().modulus() * contact.pair.reduced_radius;
+    double before = contact.press(soft, 0.5 * deepest).force;
+    bool flat = false;
+    for (int i = 50001; i <= 100000; ++i) {
+      const double overlap = i * step;
+      const double force = contact.press(soft, overlap).force;
+      const auto side = soft.sides(overlap, contact.pair, contact.memory);
+      ASSERT_NEAR(side[0].overlap + side[1].overlap, overlap, rounding);
+      flat = side[1].overlap > (1 - rounding) * limit * second;
+      ASSERT_LE(side[1].overlap, (1 + rounding) * limit * second);
+      ASSERT_NEAR(force, before, slope * step) << i;
+      if (i < 99000) { // at the very end p_Y falls faster than areas grow
+        ASSERT_GT(force, before) << i;
+      }
+      before = force;
+    }
+    EXPECT_TRUE(flat);
+  }
+}
+
 TEST(Mdr, ReloadsAlongTheUnloadingCurveUpToTheLargestOverlap)
 {
   constexpr double tolerance = 1e-12; // rounding
@@ -250,6 +280,9 @@ TEST(Mdr, EnergyIsTheWorkDone)
     go(0.95 * largest, 1.5 * largest);
     go(1.5 * largest, 0);
     EXPECT_EQ(soft.energy(0, contact.pair, contact.memory).elastic, 0);
+    const double deepest = soft.deepest_overlap(contact.pair);
+    go(0, 0.5 * deepest);
+    go(0.5 * deepest, deepest);
   }
 }
 
