@@ -69,7 +69,6 @@ std::vector<Plot> plots(const CompactionCurve &measured)
                          R"(set title "Measured and simulated compaction"
 set xlabel "relative density [-]"
 set ylabel "axial pressure [MPa]"
-set key left top
 set logscale y
 set format y "%g"
 positive(p) = p > 0 ? p / 1e6 : NaN
@@ -81,7 +80,7 @@ plot "../measured.csv" using (column("relative_density[-]")):(positive(column("a
                          R"(set title "What the simulation misses"
 set xlabel "number in residuals.csv"
 set ylabel "(simulated - measured) / scale [%]"
-set key outside below
+set key bmargin
 kind(k) = column("kind") == k ? 100 * column("residual[-]") : NaN
 plot 0 with lines linecolor rgb "#888888" linewidth 1 notitle, \
      "../residuals.csv" using (column("residual")):(kind(0)) with points pointsize 1.2 linetype 1 title "axial pressure, loading", \
@@ -95,7 +94,6 @@ set xlabel "run"
 set ylabel "misfit [-]"
 set logscale y
 set format y "%g"
-set key right top
 kind(k) = column("kind") == k ? column("misfit[-]") : NaN
 plot "../calibration.csv" using (column("run")):(kind(1)) with points pointsize 1.2 title "survey", \
      "" using (column("run")):(kind(2)) with points pointsize 1.2 title "refinement", \
@@ -106,7 +104,6 @@ plot "../calibration.csv" using (column("run")):(kind(1)) with points pointsize 
                    R"(set title "Lateral pressure"
 set xlabel "axial pressure [MPa]"
 set ylabel "lateral pressure [MPa]"
-set key left top
 plot "../measured.csv" using (column("axial_pressure[Pa]") / 1e6):(column("lateral_pressure[Pa]") / 1e6) with points pointsize 1.2 title "measured", \
      "../curve.csv" using (column("axial_pressure[Pa]") / 1e6):(column("lateral_pressure[Pa]") / 1e6) with lines title "simulated"
 )"});

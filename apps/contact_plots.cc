@@ -16,7 +16,7 @@ plot "../curve.csv" using (column("overlap[m]") * 1e6):(column("normal_force[N]"
                            R"(set title "Tangential force against slip"
 set xlabel "slip [{/Symbol m}m]"
 set ylabel "tangential force on the first grain [mN]"
-set key left top
+set key inside left top vertical
 plot "../curve.csv" using (column("slip_x[m]") * 1e6):(column("tangential_force_x[N]") * 1e3) with lines title "x", \
      "" using (column("slip_y[m]") * 1e6):(column("tangential_force_y[N]") * 1e3) with lines title "y"
 )"}};
@@ -25,7 +25,7 @@ plot "../curve.csv" using (column("slip_x[m]") * 1e6):(column("tangential_force_
                      R"(set title "Forces of an impact"
 set xlabel "time [{/Symbol m}s]"
 set ylabel "force [mN]"
-set key right top
+set key inside right top vertical
 plot "../curve.csv" using (column("time[s]") * 1e6):(column("normal_force[N]") * 1e3) with lines title "normal", \
      "" using (column("time[s]") * 1e6):(column("tangential_force_x[N]") * 1e3) with lines title "tangential, x"
 )"});

@@ -293,7 +293,6 @@ private:
                      R"(set title "Uniaxial compaction"
 set xlabel "relative density [-]"
 set ylabel "axial stress [MPa]"
-set key left top
 density = "relative_density[-]"
 plot "../curve.csv" using (column(density)):(column("stress_zz[Pa]") / 1e6) with points pointsize 0.8 title "probes", \
      "" using (column(density)):(column("law_stress_zz[Pa]") / 1e6) with lines linecolor 2 title "law"

@@ -30,6 +30,10 @@ set linetype 1 linecolor rgb "#0b6e99" linewidth 3.5 pointtype 7
 set linetype 2 linecolor rgb "#d1495b" linewidth 3.5 pointtype 7
 set linetype 3 linecolor rgb "#edae49" linewidth 3.5 pointtype 7
 set linetype 4 linecolor rgb "#3b8132" linewidth 3.5 pointtype 7
+set linetype 5 linecolor rgb "#6a4c93" linewidth 3.5 pointtype 7
+set linetype 6 linecolor rgb "#1b9e9e" linewidth 3.5 pointtype 7
+set linetype 7 linecolor rgb "#8d5524" linewidth 3.5 pointtype 7
+set linetype 8 linecolor rgb "#666666" linewidth 3.5 pointtype 7
 )";
 
 // Runs gnuplot in a folder; true if all went well.

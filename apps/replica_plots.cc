@@ -10,7 +10,6 @@ std::vector<Plot> replica_plots()
        R"(set title "Stress against strain, mean and standard deviation"
 set xlabel "axial strain {/Symbol e}_{zz} [-]"
 set ylabel "stress [MPa]"
-set key left top
 strain = "strain_zz[-]"
 axial = "stress_zz[Pa]"
 lateral = "stress_xx[Pa]"

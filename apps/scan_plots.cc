@@ -20,7 +20,6 @@ std::vector<Plot> scan_plots()
 set xlabel "mean pressure [MPa]"
 set ylabel "deviatoric stress [MPa]"
 set cblabel "relative density [-]"
-set key right top
 set xrange [0:*]
 set yrange [0:*]
 )") + colours +
@@ -34,7 +33,6 @@ plot "../yield.csv" using (mega("pressure[Pa]")):(criterion(0)):(column(density)
        std::string(R"(set title "Elastic moduli of small probes"
 set xlabel "relative density [-]"
 set ylabel "modulus [MPa]"
-set key left top
 set logscale y
 set format y "%g"
 )") + colours +

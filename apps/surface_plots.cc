@@ -13,16 +13,18 @@ namespace
 constexpr const char *surface_plot = R"(set title "{}"
 set xlabel "{}"
 set ylabel "{}"
-set key outside right top title "density"
+set key rmargin vertical title "density"
 p = "pressure[Pa]"
 q = "deviatoric_stress[Pa]"
-unit(level) = {}
+unit(row) = {}
 at(number, name) = column("level[-]") == number ? column(name) / unit(0) : NaN
 set xrange [0:*]
 set yrange [0:*]
-plot for [i in "{}"] "surfaces.csv" using (at(i + 0, p)):(at(i + 0, q)) with lines linewidth 3 linecolor i + 1 title word("{}", i + 1), \
-     for [i in "{}"] "points.csv" using (column("kind[-]") == 0 ? at(i + 0, p) : NaN):(at(i + 0, q)) with points pointtype 7 linecolor i + 1 pointsize 1.2 notitle, \
-     for [i in "{}"] "points.csv" using (column("kind[-]") == 1 ? at(i + 0, p) : NaN):(at(i + 0, q)) with points pointtype 6 linecolor i + 1 pointsize 1.6 linewidth 2 notitle
+chosen = "{}"
+level(k) = word(chosen, k) + 0
+plot for [k=1:words(chosen)] "surfaces.csv" using (at(level(k), p)):(at(level(k), q)) with lines linewidth 3 linecolor k title word("{}", level(k) + 1), \
+     for [k=1:words(chosen)] "points.csv" using (column("kind[-]") == 0 ? at(level(k), p) : NaN):(at(level(k), q)) with points pointtype 7 linecolor k pointsize 1.2 notitle, \
+     for [k=1:words(chosen)] "points.csv" using (column("kind[-]") == 1 ? at(level(k), p) : NaN):(at(level(k), q)) with points pointtype 6 linecolor k pointsize 1.6 linewidth 2 notitle
 )";
 
 Plot drawn(const std::vector<SurfacePicture> &surfaces, bool normalised)
@@ -46,9 +48,7 @@ Plot drawn(const std::vector<SurfacePicture> &surfaces, bool normalised)
                       normalised ? "q / p_b [-]" : "deviatoric stress q [MPa]",
                       normalised ? "column(\"yield_pressure[Pa]\")" : "1e6",
                       numbers,
-                      names,
-                      numbers,
-                      numbers)};
+                      names)};
 }
 } // namespace
 
