@@ -22,32 +22,14 @@ namespace fs = std::filesystem;
 // What runs write; nothing else in a folder is ever removed, but for packings,
 // see is_packing(). The mark of a run goes last: what could not be removed can
 // be, next time.
-constexpr const char *own_names[] = {"input.prm",
-                                     "log.txt",
-                                     "curve.csv",
-                                     "fields.pvd",
-                                     "fields",
-                                     "grains.pvd",
-                                     "grains",
-                                     "plots",
-                                     "summary.txt",
-                                     "checkpoint",
-                                     "trials.tamp",
-                                     "yield.csv",
-                                     "moduli.csv",
-                                     "replicas.csv",
-                                     "inspect",
-                                     "compare.csv",
-                                     "difference.vtu",
-                                     "best.prm",
-                                     "calibration.csv",
-                                     "measured.csv",
-                                     "packings",
-                                     "residuals.csv",
-                                     "fit.csv",
-                                     "law.prm",
-                                     "law_abaqus.inp",
-                                     "run.json"};
+constexpr const char *own_names[] = {
+    "input.prm",      "log.txt",       "curve.csv",       "fields.pvd",
+    "fields",         "grains.pvd",    "grains",          "plots",
+    "summary.txt",    "checkpoint",    "trials.tamp",     "yield.csv",
+    "moduli.csv",     "replicas.csv",  "inspect",         "compare.csv",
+    "difference.vtu", "best.prm",      "calibration.csv", "measured.csv",
+    "packings",       "residuals.csv", "fit.csv",         "law.prm",
+    "law_abaqus.inp", "run.json"};
 
 // packing.h5, packing_0001.txt, grains_0001.vtp, size_00200_seed_1 ...
 bool is_packing(const std::string &name)
