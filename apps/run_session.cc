@@ -158,12 +158,13 @@ void RunSession::open_folder(const RunOptions &options, const std::string &echo)
     folder_ = std::make_unique<RunFolder>(RunFolder::existing(path));
   } else if (resumes_) {
     folder_ = std::make_unique<RunFolder>(RunFolder::existing(path));
-    if (folder_->command() != record_.command)
+    const std::string command = folder_->command(); // none: it had just begun
+    if (!command.empty() && command != record_.command)
       throw InputError(
           fmt::format("--resume: the run in '{}' is one of tamp {}, not of "
                       "tamp {}. Nothing was changed",
                       path.string(),
-                      folder_->command(),
+                      command,
                       record_.command));
     found_.emplace(find_to_resume(path, told_));
   } else {

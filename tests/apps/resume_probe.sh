@@ -88,6 +88,11 @@ if [ "$part" = replicas ]; then
   (cd whole && find . -name '*.csv' -o -name '*.vtp') | while read -r file; do
     cmp "whole/$file" "killed/$file" || exit 1
   done || fail "the killed run ends otherwise"
+  # Killed as it began.
+  rm -r killed/size_00060_seed_2/*
+  touch killed/size_00060_seed_2/run.json.part
+  "$tamp" probe cells.prm -o killed --no-plots -q "${several[@]}" --resume
+  cmp {whole,killed}/size_00060_seed_2/curve.csv || fail "a cell that began anew"
   expect 2 '--replicas' 'Nothing was changed' -- \
     "$tamp" probe cells.prm -o killed --no-plots -q --resume
   [ "$failures" -eq 0 ] || exit 1
