@@ -33,7 +33,7 @@ subsection Path
   set Maximum unloading increment = 5e-4
 end
 subsection Scan
-  set Densities = 0.4, 0.45
+  set Densities = 0.36, 0.38, 0.4, 0.42, 0.44, 0.46, 0.48
 end
 subsection Output
   set Checkpoint interval = 1 us
