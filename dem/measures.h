@@ -27,7 +27,7 @@ struct ContactForce {
 struct ContactSurvey {
   std::vector<ContactForce> forces; ///< of those that touch, in the order of
                                     ///< the cell's memory
-  double elastic_energy = 0; ///< stored in all [J]
+  double elastic_energy = 0;        ///< stored in all [J]
   /// What the normal laws have turned into heat in the contacts that there are
   /// [J].
   double plastic_loss = 0;
