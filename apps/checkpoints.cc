@@ -5,6 +5,7 @@
 #include <coupling/checkpoint.h>
 
 #include <fmt/format.h>
+#include <utility>
 
 namespace tamp::apps
 {
@@ -20,12 +21,14 @@ Checkpoints::Checkpoints(RunSession &session, const fem::Ranks &ranks)
     last_step_ = session.found()->title.step;
 }
 
-bool Checkpoints::due() const
+bool Checkpoints::due()
 {
   const double interval = session_.input().output.checkpoint_interval;
   const bool over = interval > 0 && session_.place().first() &&
                     Seconds(Clock::now() - last_).count() >= interval;
-  return ranks_.largest(take_checkpoint_signal() || over ? 1 : 0) > 0;
+  const int signals = checkpoint_signals();
+  const bool asked = std::exchange(signals_, signals) != signals;
+  return ranks_.largest(asked || over ? 1 : 0) > 0;
 }
 
 void Checkpoints::write(unsigned step,

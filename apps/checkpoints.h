@@ -20,7 +20,7 @@ public:
   Checkpoints(RunSession &session, const fem::Ranks &ranks);
 
   /// Whether the interval is over or SIGUSR1 came, on any rank. Collective.
-  bool due() const;
+  bool due();
 
   /// Writes one. If that is not possible the run is warned and goes on, with
   /// the checkpoints it has. Collective.
@@ -36,6 +36,7 @@ private:
   const fem::Ranks &ranks_;
   Clock::time_point last_ = Clock::now();
   std::optional<unsigned> last_step_; ///< of the newest one
+  int signals_ = 0;                   ///< SIGUSR1, that were answered
 };
 } // namespace tamp::apps
 

@@ -12,7 +12,7 @@
 #include <apps/recorded_points.h>
 #include <apps/run_material.h>
 #include <apps/schedule.h>
-#include <apps/stored_die.h>
+#include <apps/stored_run.h>
 #include <apps/trial_recorder.h>
 #include <apps/units.h>
 #include <fem/die_model.h>
@@ -282,7 +282,7 @@ private:
   const fem::Mesh &mesh_;
   DieMaterial material_;
   RecordedPoints points_;
-  const StoredDie stored_;
+  const StoredRun stored_;
   fem::DieModel model_;
   DieCells cells_;
   DieOutput output_;

@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 #include <numeric>
-#include <system_error>
 
 namespace tamp::apps
 {
@@ -85,25 +84,8 @@ void DieOutput::go_on(fem::StateBytes &stored)
         lines_of(grain_points_[k]), point_header().size(), sizes.at(k)));
   fields_.go_on(fields);
   grains_.go_on(grains);
-  remove_later("fields", fields_);
-  remove_later("grains", grains_);
-}
-
-void DieOutput::remove_later(const std::string &folder,
-                             const SeriesWriter &kept) const
-{
-  std::vector<std::filesystem::path> later;
-  std::error_code ignored;
-  for (const auto &entry : std::filesystem::directory_iterator(
-           session_.folder().path() / folder, ignored)) {
-    const std::string name = entry.path().filename();
-    if ((name.ends_with(".vtu") || name.ends_with(".vtp")) &&
-        kept.entries().find("\"" + folder + "/" + name + "\"") ==
-            std::string::npos)
-      later.push_back(entry.path());
-  }
-  for (const auto &file : later)
-    std::filesystem::remove(file, ignored);
+  fields_.remove_others("fields");
+  grains_.remove_others("grains");
 }
 
 void DieOutput::choose_points()

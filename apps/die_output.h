@@ -43,7 +43,6 @@ public:
 
 private:
   std::filesystem::path lines_of(std::size_t point) const;
-  void remove_later(const std::string &folder, const SeriesWriter &kept) const;
   void write_fields(unsigned step);
   void write_grains(unsigned step);
   void choose_points();

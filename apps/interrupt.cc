@@ -9,7 +9,7 @@ namespace
 {
 // The one place where state is global: a signal handler can reach nothing
 // else.
-volatile std::sig_atomic_t caught = 0, checkpoint = 0;
+volatile std::sig_atomic_t caught = 0, checkpoints = 0;
 
 extern "C" void note_signal(int signal)
 {
@@ -19,7 +19,7 @@ extern "C" void note_signal(int signal)
 
 extern "C" void note_checkpoint(int)
 {
-  checkpoint = 1;
+  checkpoints = checkpoints + 1;
 }
 } // namespace
 
@@ -42,10 +42,8 @@ void watch_checkpoint_signal()
   sigaction(SIGUSR1, &action, nullptr);
 }
 
-bool take_checkpoint_signal()
+int checkpoint_signals()
 {
-  const bool came = checkpoint != 0;
-  checkpoint = 0;
-  return came;
+  return checkpoints;
 }
 } // namespace tamp::apps

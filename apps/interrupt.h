@@ -15,8 +15,9 @@ int caught_signal();
 /// From now on SIGUSR1 is noted instead of ending the program.
 void watch_checkpoint_signal();
 
-/// Whether SIGUSR1 came since it was asked last: it wants a checkpoint.
-bool take_checkpoint_signal();
+/// How often SIGUSR1 came: each time it wants a checkpoint of every run at
+/// work.
+int checkpoint_signals();
 } // namespace tamp::apps
 
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <apps/cell_columns.h>
 #include <apps/cell_remarks.h>
+#include <apps/checkpoints.h>
 #include <apps/commands.h>
 #include <apps/curve_writer.h>
 #include <apps/interrupt.h>
@@ -10,9 +11,10 @@
 #include <apps/probe_scan.h>
 #include <apps/run_material.h>
 #include <apps/series_writer.h>
+#include <apps/stored_run.h>
 #include <apps/units.h>
 #include <coupling/grain_output.h>
-#include <fem/path_driver.h>
+#include <fem/path_walk.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 #include <deal.II/base/tensor.h>
@@ -29,7 +31,19 @@ namespace
 {
 using SymmetricTensor = dealii::SymmetricTensor<2, 3>;
 
-struct Interrupted {
+/// What of a path's past its later steps and its results need.
+struct PathSoFar {
+  unsigned step = 0;
+  double strain = 0, axial = 0, lateral = 0, density = 0;
+  double peak = 0, strain_at_peak = 0;
+  double evaluations = 0, worst_unbalance = 0;
+  unsigned doubtful = 0;
+  /// Where the stage at hand began.
+  struct Begin {
+    unsigned stage;
+    double peak, density;
+  };
+  std::optional<Begin> begin;
 };
 
 class ProbeRun
@@ -38,13 +52,20 @@ public:
   ProbeRun(RunSession &session, const ProbeMember &member)
       : session_(session), member_(member), path_(session.input().path),
         material_(prepare_material(session, {0, 1}, 1)),
-        curve_(session.folder().path() / "curve.csv", header(), remarks()),
+        stages_(stages_of(path_)), walk_(
+                                       *material_.points,
+                                       stages_,
+                                       [this](unsigned stage) { begin(stage); },
+                                       session.input().stress_tolerance),
         grains_(session.folder(), "grains.pvd"),
-        scan_(session, material_, member.replica)
+        scan_(session, material_, member.replica), checkpoints_(session, alone_)
   {
     warn_of_history(session, material_.history);
-    for (const ProbeStage &probe : path_.stages)
-      stages_.push_back(probe.stage);
+    if (session.resumes())
+      go_on();
+    else
+      curve_.emplace(
+          session.folder().path() / "curve.csv", header(), remarks());
   }
 
   RunEnd work()
@@ -67,24 +88,24 @@ public:
 private:
   void give()
   {
-    session_.result("steps[-]", step_);
-    session_.result("peak_axial_stress[Pa]", peak_);
-    session_.result("strain_at_peak[-]", strain_at_peak_);
-    session_.result("final_strain[-]", strain_);
-    session_.result("final_axial_stress[Pa]", axial_);
-    session_.result("final_lateral_stress[Pa]", lateral_);
-    session_.result("final_relative_density[-]", density_);
+    session_.result("steps[-]", now_.step);
+    session_.result("peak_axial_stress[Pa]", now_.peak);
+    session_.result("strain_at_peak[-]", now_.strain_at_peak);
+    session_.result("final_strain[-]", now_.strain);
+    session_.result("final_axial_stress[Pa]", now_.axial);
+    session_.result("final_lateral_stress[Pa]", now_.lateral);
+    session_.result("final_relative_density[-]", now_.density);
     if (material_.cells) {
-      session_.result("force_evaluations[-]", evaluations_);
-      session_.result("worst_unbalance[-]", worst_unbalance_);
+      session_.result("force_evaluations[-]", now_.evaluations);
+      session_.result("worst_unbalance[-]", now_.worst_unbalance);
     }
-    session_.result("doubtful_steps[-]", doubtful_);
+    session_.result("doubtful_steps[-]", now_.doubtful);
     scan_.give();
-    if (doubtful_ > 0)
+    if (now_.doubtful > 0)
       session_.warn(fmt::format(
           "the answers of {} steps were doubtful: grains did not settle within "
           "Cell/Maximum evaluations, or a law was asked beyond its tables",
-          doubtful_));
+          now_.doubtful));
   }
 
   std::vector<std::string> header() const
@@ -113,76 +134,132 @@ private:
 
   RunEnd drive()
   {
-    const auto observe = [this](const fem::PathRecord &record) {
-      take(record);
-      if (caught_signal())
-        throw Interrupted();
-    };
-    fem::PathEnd end = fem::PathEnd::finished;
-    try {
-      end = path_.increments.empty()
-                ? fem::drive_path(
-                      *material_.points,
-                      stages_,
-                      [this](unsigned stage) { begin(stage); },
-                      observe,
-                      session_.input().stress_tolerance)
-                : fem::drive_increments(
-                      *material_.points, path_.increments, observe);
-      if (end == fem::PathEnd::finished)
-        return {};
-    } catch (const Interrupted &) {
-      return RunSession::interrupted(caught_signal());
+    while (true) {
+      if (const auto end = walk_.advance())
+        return *end == fem::PathEnd::finished
+                   ? RunEnd()
+                   : RunEnd{exit_not_converged, problem(*end)};
+      take(walk_.last());
+      const int signal = caught_signal();
+      if (checkpoints_.due() || signal != 0)
+        write_checkpoint();
+      if (signal != 0)
+        return RunSession::interrupted(signal);
     }
-    const std::string problem =
-        material_.cells ? material_.cells->report().problem : "";
+  }
+
+  std::string problem(fem::PathEnd end) const
+  {
     if (end == fem::PathEnd::not_reached)
-      return {exit_not_converged,
-              fmt::format("the stage did not meet its stress: after step {} "
-                          "axial strain is {:.4g}, axial stress {:.4g} MPa",
-                          step_,
-                          strain_,
-                          axial_ / 1e6)};
-    return {exit_not_converged,
-            fmt::format("the increment after step {} did not converge{}, at "
-                        "axial strain {:.4g}, axial stress {:.4g} MPa, "
-                        "lateral stress {:.4g} MPa",
-                        step_,
-                        problem.empty() ? "" : " (" + problem + ")",
-                        strain_,
-                        axial_ / 1e6,
-                        lateral_ / 1e6)};
+      return fmt::format("the stage did not meet its stress: after step {} "
+                         "axial strain is {:.4g}, axial stress {:.4g} MPa",
+                         now_.step,
+                         now_.strain,
+                         now_.axial / 1e6);
+    const std::string cell =
+        material_.cells ? material_.cells->report().problem : "";
+    return fmt::format("the increment after step {} did not converge{}, at "
+                       "axial strain {:.4g}, axial stress {:.4g} MPa, "
+                       "lateral stress {:.4g} MPa",
+                       now_.step,
+                       cell.empty() ? "" : " (" + cell + ")",
+                       now_.strain,
+                       now_.axial / 1e6,
+                       now_.lateral / 1e6);
+  }
+
+  // The parts of the run in the order in which a checkpoint has them.
+  void write_checkpoint()
+  {
+    std::vector<char> bytes;
+    curve_->sync();
+    fem::append_state(bytes, curve_->size());
+    fem::append_state(bytes, now_);
+    fem::append_state(bytes, grains_.entries());
+    fem::append_state(bytes, written_);
+    cell_remarks_.pack(bytes);
+    scan_.pack(bytes);
+    session_.pack(bytes);
+    std::vector<char> state;
+    fem::append_state(state, bytes);
+    walk_.pack(state);
+    checkpoints_.write(now_.step, state, *material_.points);
+  }
+
+  void go_on()
+  {
+    const StoredRun all(session_, alone_);
+    coupling::unpack_points(session_.found(), *material_.points, alone_);
+    fem::StateBytes stored(all.run), walk(all.model);
+    std::uint64_t curve_size = 0;
+    std::string grains;
+    stored.take(curve_size);
+    stored.take(now_);
+    stored.take(grains);
+    stored.take(written_);
+    curve_.emplace(
+        session_.folder().path() / "curve.csv", header().size(), curve_size);
+    grains_.go_on(grains);
+    grains_.remove_others("grains");
+    cell_remarks_.go_on(stored);
+    scan_.go_on(stored);
+    session_.go_on(stored);
+    aim();
+    walk_.unpack(walk);
+  }
+
+  static std::vector<fem::PathStage> stages_of(const ProbePath &path)
+  {
+    std::vector<fem::PathStage> stages;
+    for (const ProbeStage &probe : path.stages)
+      stages.push_back(probe.stage);
+    if (!path.increments.empty())
+      stages.front().increments = path.increments;
+    return stages;
+  }
+
+  void begin(unsigned stage)
+  {
+    if (!path_.increments.empty()) // a replay begins as it is
+      return;
+    now_.begin = {stage, now_.peak, now_.density};
+    aim();
+    if (material_.cells)
+      material_.cells->turn();
   }
 
   // A stage that ends at a share of the peak, or at a density, learns here what
-  // has been reached so far.
-  void begin(unsigned stage)
+  // had been reached where it began.
+  void aim()
   {
-    if (path_.stages[stage].peak_share > 0)
-      stages_[stage].until_stress = -path_.stages[stage].peak_share * peak_;
-    if (path_.stages[stage].density > 0)
-      aim_at_density(path_.stages[stage], density_, stages_[stage]);
+    if (!now_.begin)
+      return;
+    const auto [number, peak, density] = *now_.begin;
+    const ProbeStage &probe = path_.stages[number];
+    fem::PathStage &stage = stages_[number];
+    if (probe.peak_share > 0)
+      stage.until_stress = -probe.peak_share * peak;
+    if (probe.density > 0)
+      aim_at_density(probe, density, stage);
     if (!material_.cells)
       return;
-    material_.cells->turn();
     const double diameter =
         session_.input().material.packing.sizes.mean_diameter;
-    const bool unloading =
-        stages_[stage].has_until && stages_[stage].until_above;
+    const bool unloading = stage.has_until && stage.until_above;
     material_.cells->set_force_floor(
-        unloading ? 0.1 * peak_ * diameter * diameter : 0);
+        unloading ? 0.1 * peak * diameter * diameter : 0);
   }
 
   void take(const fem::PathRecord &record)
   {
     const SymmetricTensor stress = -record.response.stress;
     const SymmetricTensor strain = compressive_strain(record.F);
-    density_ = record.response.relative_density;
+    now_.density = record.response.relative_density;
     std::vector<double> values = probe_values(record);
     if (material_.cells)
       std::ranges::copy(cell_values(*material_.cells, 0, driving()),
                         std::back_inserter(values));
-    curve_.write(values);
+    curve_->write(values);
     remember(record, strain, stress);
     if (material_.cells)
       cell_remarks_.take(
@@ -191,7 +268,7 @@ private:
           [&] { return place(record); });
     scan_.take(record);
     report(record);
-    if (step_ % session_.input().output.grain_interval == 0)
+    if (now_.step % session_.input().output.grain_interval == 0)
       write_grains();
   }
 
@@ -199,21 +276,21 @@ private:
                 const SymmetricTensor &strain,
                 const SymmetricTensor &stress)
   {
-    step_ = record.step;
+    now_.step = record.step;
     // Nobody wants to read -0.
-    strain_ = strain[2][2] + 0.0;
-    axial_ = stress[2][2] + 0.0;
-    lateral_ = 0.5 * (stress[0][0] + stress[1][1]) + 0.0;
-    if (axial_ > peak_) {
-      peak_ = axial_;
-      strain_at_peak_ = strain_;
+    now_.strain = strain[2][2] + 0.0;
+    now_.axial = stress[2][2] + 0.0;
+    now_.lateral = 0.5 * (stress[0][0] + stress[1][1]) + 0.0;
+    if (now_.axial > now_.peak) {
+      now_.peak = now_.axial;
+      now_.strain_at_peak = now_.strain;
     }
     if (material_.cells) {
-      evaluations_ += material_.cells->report().mean_evaluations();
-      worst_unbalance_ =
-          std::max(worst_unbalance_, material_.cells->report().worst_unbalance);
+      now_.evaluations += material_.cells->report().mean_evaluations();
+      now_.worst_unbalance = std::max(
+          now_.worst_unbalance, material_.cells->report().worst_unbalance);
     }
-    doubtful_ += record.response.status == fem::Status::doubtful;
+    now_.doubtful += record.response.status == fem::Status::doubtful;
   }
 
   std::string place(const fem::PathRecord &record) const
@@ -221,7 +298,7 @@ private:
     return fmt::format("step {} ({}), axial strain {:.4g}",
                        record.step,
                        stages_[record.stage].name,
-                       strain_);
+                       now_.strain);
   }
 
   void report(const fem::PathRecord &record)
@@ -235,28 +312,28 @@ private:
                     "lateral {:.4g} MPa  density {:.4f}",
                     record.step,
                     stages_[record.stage].name,
-                    strain_,
-                    axial_ / 1e6,
-                    lateral_ / 1e6,
-                    density_));
+                    now_.strain,
+                    now_.axial / 1e6,
+                    now_.lateral / 1e6,
+                    now_.density));
   }
 
   void write_grains()
   {
     if (!material_.cells ||
         session_.input().output.grain_output == GrainOutput::none ||
-        written_ == step_)
+        written_ == now_.step)
       return;
     std::unique_lock<std::mutex> lock;
     if (member_.writing)
       lock = std::unique_lock(*member_.writing);
     session_.folder().subfolder("grains");
-    const std::string file = fmt::format("grains/step_{:04d}.vtp", step_);
+    const std::string file = fmt::format("grains/step_{:04d}.vtp", now_.step);
     coupling::write_grains(material_.cells->cell(0),
                            material_.cells->rotation(0),
                            session_.folder().path() / file);
-    grains_.add(step_, 0, file);
-    written_ = step_;
+    grains_.add(now_.step, 0, file);
+    written_ = now_.step;
   }
 
   void draw()
@@ -276,19 +353,18 @@ private:
 
   RunSession &session_;
   ProbeMember member_;
+  const fem::Ranks alone_;
   const ProbePath &path_;
   coupling::Material material_;
-  CurveWriter curve_;
+  std::vector<fem::PathStage> stages_;
+  PathSoFar now_;
+  fem::PathWalk walk_;
+  std::optional<CurveWriter> curve_;
   SeriesWriter grains_;
   ProbeScan scan_;
   CellRemarks cell_remarks_{session_, "cell", 1};
-  std::vector<fem::PathStage> stages_;
-  unsigned step_ = 0;
-  std::optional<unsigned> written_;
-  double strain_ = 0, axial_ = 0, lateral_ = 0, density_ = 0;
-  double peak_ = 0, strain_at_peak_ = 0;
-  double evaluations_ = 0, worst_unbalance_ = 0;
-  unsigned doubtful_ = 0;
+  Checkpoints checkpoints_;
+  std::optional<unsigned> written_; ///< step of the last grains
 };
 } // namespace
 
@@ -307,10 +383,8 @@ int run_member(const RunOptions &options, const ProbeMember &member)
 
 int run_probe(const RunOptions &options)
 {
-  if (options.resume)
-    throw InputError("--resume: a single probe begins anew, with --force; "
-                     "those of --replicas and --sizes go on");
   watch_signals();
+  watch_checkpoint_signal();
   return run_member(options, {});
 }
 } // namespace tamp::apps

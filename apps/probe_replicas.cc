@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <apps/build_facts.h>
 #include <apps/checkpoints.h>
 #include <apps/curve_writer.h>
 #include <apps/interrupt.h>
@@ -7,6 +8,7 @@
 #include <apps/plots.h>
 #include <apps/probe_replicas.h>
 #include <apps/units.h>
+#include <coupling/checkpoint.h>
 #include <coupling/work_sharing.h>
 #include <fem/laws/continuum_points.h>
 #include <fem/laws/elastic.h>
@@ -59,6 +61,18 @@ bool is_done(const fs::path &folder)
   return tree.is_object() && tree.value("status", "") == "done";
 }
 
+// Whether it left a checkpoint there that can be used.
+bool can_go_on(const fs::path &folder)
+{
+  try {
+    return coupling::find_checkpoint(folder / "checkpoint",
+                                     build_facts().version)
+        .has_value();
+  } catch (const coupling::FileError &) {
+    return false;
+  }
+}
+
 class ReplicaRun
 {
 public:
@@ -108,7 +122,7 @@ public:
 
 private:
   // A checkpoint without a state: what --resume compares the input with. The
-  // folders of the cells that are done are all that it needs.
+  // folders of the cells are all that it needs.
   void remember_input()
   {
     const fem::Ranks alone;
@@ -121,14 +135,15 @@ private:
     if (caught_signal())
       return;
     Member &member = members_[i];
-    if (session_.resumes() && is_done(member.folder))
+    const bool again = session_.resumes();
+    if (again && is_done(member.folder))
       return;
     RunOptions options = options_;
     options.output = member.folder;
     options.settings.push_back(fmt::format("Grains/Count = {}", member.size));
     options.settings.push_back(fmt::format("Packing/Seed = {}", member.seed));
-    options.force = options.force || session_.resumes();
-    options.resume = false;
+    options.resume = again && can_go_on(member.folder);
+    options.force = options.force || (again && !options.resume);
     options.threads = 1;
     options.verbosity = Verbosity::quiet;
     member.code = run_member(options, {member.replica, &writing_});
@@ -276,8 +291,11 @@ int run_replicas(const RunOptions &options, const ReplicaChoice &choice)
       throw InputError(fmt::format(
           "--sizes {}: expected different counts of grains, such as 200,500",
           size));
-  RunSession session("probe", options, Need::probe);
+  RunOptions told = options;
+  told.also_told = "set --replicas or --sizes = given\n";
+  RunSession session("probe", told, Need::probe);
   watch_signals();
+  watch_checkpoint_signal();
   return session.run([&]() -> RunEnd {
     const auto &material = session.input().material;
     if (material.kind != coupling::MaterialKind::unit_cell ||

@@ -98,7 +98,7 @@ ProbeScan::ProbeScan(RunSession &session,
     : session_(session), settings_(session.input().scan), material_(material),
       replica_(replica)
 {
-  if (!settings_.on())
+  if (!settings_.on() || session.resumes())
     return;
   const auto folder = session.folder().path();
   yield_.emplace(folder / "yield.csv", yield_header, remarks(settings_));
@@ -129,6 +129,40 @@ void ProbeScan::take(const fem::PathRecord &record)
   material_.points->pack(0, before_);
   density_before_ = density;
   F_before_ = record.F;
+}
+
+void ProbeScan::pack(std::vector<char> &bytes) const
+{
+  if (!settings_.on())
+    return;
+  for (const auto &file : {&yield_, &moduli_}) {
+    (*file)->sync();
+    fem::append_state(bytes, (*file)->size());
+  }
+  fem::append_state(bytes, next_);
+  fem::append_state(bytes, density_before_);
+  fem::append_state(bytes, F_before_);
+  fem::append_state(bytes, points_);
+  fem::append_state(bytes, lost_);
+}
+
+void ProbeScan::go_on(fem::StateBytes &stored)
+{
+  if (!settings_.on())
+    return;
+  std::uint64_t yield_size = 0, moduli_size = 0;
+  stored.take(yield_size);
+  stored.take(moduli_size);
+  stored.take(next_);
+  stored.take(density_before_);
+  stored.take(F_before_);
+  stored.take(points_);
+  stored.take(lost_);
+  const auto folder = session_.folder().path();
+  yield_.emplace(folder / "yield.csv", yield_header.size(), yield_size);
+  moduli_.emplace(folder / "moduli.csv", moduli_header.size(), moduli_size);
+  before_.clear();
+  material_.points->pack(0, before_);
 }
 
 void ProbeScan::give() const

@@ -22,7 +22,8 @@ namespace tamp::apps
 class ProbeScan
 {
 public:
-  /// @param session, material  must outlive the object.
+  /// @param session, material  must outlive the object; in a run that resumes,
+  ///                           go_on() must follow
   /// @param replica  what the files call the powder
   ProbeScan(RunSession &session,
             const coupling::Material &material,
@@ -32,6 +33,11 @@ public:
   /// material is in that state. Throws InputError if the start is denser than
   /// a density to come.
   void take(const fem::PathRecord &record);
+
+  /// Appends what it has written and remembers; go_on() takes it up, once the
+  /// material is in that state again.
+  void pack(std::vector<char> &bytes) const;
+  void go_on(fem::StateBytes &stored);
 
   /// Whether there are yield points.
   bool found() const { return points_ > 0; }

@@ -19,6 +19,9 @@ namespace
 {
 namespace fs = std::filesystem;
 
+// All that a run that was killed as it began may leave.
+constexpr const char *mark_begun = "run.json.part";
+
 // What runs write; nothing else in a folder is ever removed, but for packings,
 // see is_packing(). The mark of a run goes last: what could not be removed can
 // be, next time.
@@ -29,7 +32,7 @@ constexpr const char *own_names[] = {
     "moduli.csv",     "replicas.csv",   "inspect",         "compare.csv",
     "difference.vtu", "best.prm",       "calibration.csv", "measured.csv",
     "packings",       "residuals.csv",  "equations.csv",   "fit.csv",
-    "law.prm",        "law_abaqus.inp", "run.json"};
+    "law.prm",        "law_abaqus.inp", mark_begun,        "run.json"};
 
 // packing.h5, packing_0001.txt, grains_0001.vtp, size_00200_seed_1 ...
 bool is_packing(const std::string &name)
@@ -64,6 +67,15 @@ bool of_a_run(const fs::path &folder)
          tree["program"] == "tamp";
 }
 
+bool holds_nothing(const fs::path &folder)
+{
+  std::error_code error;
+  return std::ranges::all_of(fs::directory_iterator(folder, error),
+                             [](const fs::directory_entry &entry) {
+                               return entry.path().filename() == mark_begun;
+                             });
+}
+
 // Whether a file is, or lies in, something that will be removed.
 bool inside(const fs::path &file, const fs::path &removed)
 {
@@ -77,8 +89,7 @@ bool inside(const fs::path &file, const fs::path &removed)
 
 void check_removal(const fs::path &folder, const std::vector<fs::path> &needed)
 {
-  std::error_code error;
-  if (!fs::is_empty(folder, error) && !of_a_run(folder))
+  if (!holds_nothing(folder) && !of_a_run(folder))
     throw InputError(fmt::format(
         "--force: '{}' is not the folder of a run: it has no run.json of tamp. "
         "Nothing was changed; choose another folder with --output",
@@ -147,6 +158,8 @@ RunFolder::RunFolder(const fs::path &folder,
     throw OutputError(fmt::format("the folder '{}' cannot be written: {}",
                                   folder.string(),
                                   error.message()));
+  // Its mark first: a run that is killed from here on is known as one.
+  write("run.json", "{\"program\": \"tamp\"}\n");
   write("log.txt", "");
 }
 

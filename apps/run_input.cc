@@ -70,8 +70,9 @@ void declare_output(ParameterTable &table)
                  "10 min",
                  dimension::time,
                  not_negative,
-                 "Wall time between checkpoints of a die, with which --resume "
-                 "goes on; 0: at SIGINT, SIGTERM and SIGUSR1 only");
+                 "Wall time between checkpoints of a die or a probe, with "
+                 "which --resume goes on; 0: at SIGINT, SIGTERM and SIGUSR1 "
+                 "only");
   table.choices("Plot format",
                 "svg, png",
                 {"svg", "png", "pdf"},

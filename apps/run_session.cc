@@ -121,7 +121,7 @@ RunSession::RunSession(const std::string &command,
   record_.input_echo = echo.str();
 
   if (place.first()) {
-    told_ = whole_input(record_.input_echo, input_.files);
+    told_ = whole_input(record_.input_echo + options.also_told, input_.files);
     name_files_in_full(table);
     echo.str("");
     table.echo(echo);
@@ -157,8 +157,16 @@ void RunSession::open_folder(const RunOptions &options, const std::string &echo)
   if (resumes_ && record_.command == "calibrate") { // its runs are its record
     folder_ = std::make_unique<RunFolder>(RunFolder::existing(path));
   } else if (resumes_) {
-    found_.emplace(find_to_resume(path, told_));
     folder_ = std::make_unique<RunFolder>(RunFolder::existing(path));
+    const std::string command = folder_->command(); // none: it had just begun
+    if (!command.empty() && command != record_.command)
+      throw InputError(
+          fmt::format("--resume: the run in '{}' is one of tamp {}, not of "
+                      "tamp {}. Nothing was changed",
+                      path.string(),
+                      command,
+                      record_.command));
+    found_.emplace(find_to_resume(path, told_));
   } else {
     start_folder(options, path, echo);
   }

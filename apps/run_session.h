@@ -37,6 +37,8 @@ struct RunOptions {
   std::optional<int> threads; ///< none: all cores this rank may use
   bool force = false;
   bool resume = false; ///< go on with the run that is in the folder
+  /// What else must be the same then: lines of an input, "set NAME = VALUE\n".
+  std::string also_told;
   bool plots = true;
   Verbosity verbosity = Verbosity::normal;
 };

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <apps/series_writer.h>
 
+#include <filesystem>
 #include <fmt/format.h>
+#include <system_error>
+#include <vector>
 
 namespace tamp::apps
 {
@@ -25,6 +28,21 @@ void SeriesWriter::go_on(const std::string &entries)
   entries_ = entries;
   if (!entries_.empty())
     write();
+}
+
+void SeriesWriter::remove_others(const std::string &folder) const
+{
+  std::vector<std::filesystem::path> others;
+  std::error_code ignored;
+  for (const auto &entry :
+       std::filesystem::directory_iterator(folder_.path() / folder, ignored)) {
+    const std::string name = entry.path().filename();
+    if ((name.ends_with(".vtu") || name.ends_with(".vtp")) &&
+        entries_.find("\"" + folder + "/" + name + "\"") == std::string::npos)
+      others.push_back(entry.path());
+  }
+  for (const auto &file : others)
+    std::filesystem::remove(file, ignored);
 }
 
 void SeriesWriter::write() const

@@ -23,6 +23,9 @@ public:
   /// What add() has added so far, and going on after it. Throws OutputError.
   const std::string &entries() const { return entries_; }
   void go_on(const std::string &entries);
+  /// Removes files .vtu and .vtp of a folder in that of the run that were not
+  /// added: those of steps after a checkpoint.
+  void remove_others(const std::string &folder) const;
 
 private:
   void write() const;

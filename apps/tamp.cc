@@ -74,7 +74,8 @@ void add_probe(CLI::App &app,
   probe
       ->add_flag("--resume",
                  options.resume,
-                 "With --replicas or --sizes: keep the cells that are done")
+                 "Go on from the newest good checkpoint in the folder; of "
+                 "--replicas and --sizes each cell from its own")
       ->excludes("--force");
   probe->add_option("--replicas",
                     replicas.replicas,

@@ -43,6 +43,9 @@ struct PathStage {
   /// If there are any, the stage follows these instead of its components: F
   /// since its start, an increment each. Rotation and all.
   std::vector<dealii::Tensor<2, 3>> gradients;
+  /// If there are any, the stage follows these: F of each increment since the
+  /// one before, to the last bit. One that fails ends the path.
+  std::vector<dealii::Tensor<2, 3>> increments;
   /// What the components under stress control aim at is their stress plus this
   /// times that of zz: with 1/2, and 3/2 of a mean stress as the value of xx
   /// and yy, the mean stress is held while zz is strained [-].
@@ -85,8 +88,8 @@ drive_path(MaterialPoints &points,
            const std::function<void(const PathRecord &)> &observe,
            double stress_tolerance = 1e-3);
 
-/// Takes point 0 along given increments F_new F_old^-1, one commit each: what a
-/// die told one of its points is replayed to the last bit.
+/// A path of one stage of given increments F_new F_old^-1, one commit each:
+/// what a die told one of its points is replayed to the last bit.
 [[nodiscard]] PathEnd
 drive_increments(MaterialPoints &points,
                  const std::vector<dealii::Tensor<2, 3>> &increments,

@@ -149,8 +149,16 @@ Probe::Probe(MaterialPoints &points)
 
 const Response &Probe::evaluate(const Tensor<2, 3> &F, const Want want)
 {
+  evaluate_increment(increment(F, F_), want);
   trial_F_ = F;
-  deformations_[0].relative_F = increment(F, F_);
+  return responses_[0];
+}
+
+const Response &Probe::evaluate_increment(const Tensor<2, 3> &relative_F,
+                                          const Want want)
+{
+  trial_F_ = relative_F * F_;
+  deformations_[0].relative_F = relative_F;
   points_.evaluate(deformations_, want, responses_);
   return responses_[0];
 }

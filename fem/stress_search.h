@@ -45,9 +45,14 @@ public:
 
   /// The answer of the point at F, counted from where it was at construction.
   const Response &evaluate(const dealii::Tensor<2, 3> &F, Want want);
+  /// The same after an increment since the last commit, to the bit.
+  const Response &evaluate_increment(const dealii::Tensor<2, 3> &relative_F,
+                                     Want want);
   void begin_attempt() { points_.begin_attempt(); }
   /// Adopts the last evaluation.
   void commit();
+  /// The point is at F now: its committed state is from elsewhere.
+  void stand_at(const dealii::Tensor<2, 3> &F) { F_ = F; }
 
   /// At the last commit [-].
   const dealii::Tensor<2, 3> &F() const { return F_; }

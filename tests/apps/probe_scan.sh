@@ -80,6 +80,5 @@ cmp "$kept" kept.json || fail "a cell that was done was done again"
 (cd whole && find . -name '*.csv') | while read -r file; do
   cmp "whole/$file" "killed/$file" || exit 1
 done || fail "the killed run ends otherwise"
-expect 2 '--resume' 'begins anew' -- "${probe[@]}" -o one --resume
 [ "$failures" -eq 0 ] || exit 1
 echo "all well"

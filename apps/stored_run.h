@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef apps_stored_die_h
-#define apps_stored_die_h
+#ifndef apps_stored_run_h
+#define apps_stored_run_h
 
 #include <apps/run_session.h>
 #include <fem/ranks.h>
@@ -9,12 +9,12 @@
 
 namespace tamp::apps
 {
-/// What a checkpoint has of a run and of its model, on every rank; empty if the
-/// run does not go on from one.
-struct StoredDie {
+/// What a checkpoint has of a run and of its model (the walk of a probe), on
+/// every rank; empty if the run does not go on from one.
+struct StoredRun {
   std::vector<char> run, model;
 
-  StoredDie(RunSession &session, const fem::Ranks &ranks)
+  StoredRun(RunSession &session, const fem::Ranks &ranks)
   {
     if (!session.resumes())
       return;
