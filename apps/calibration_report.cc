@@ -121,13 +121,7 @@ void write_best_curve(RunSession &session,
   write_curve(folder / "measured.csv", measured);
   write_curve(folder / "curve.csv", best);
   write_residuals(folder / "residuals.csv", targets, residuals);
-  if (!session.plots())
-    return;
-  const std::string problem = draw_plots(session.folder().subfolder("plots"),
-                                         plots(measured),
-                                         session.input().output.plot_formats);
-  if (!problem.empty())
-    session.log().warn(problem);
+  session.draw(plots(measured));
 }
 
 void give_confidence(RunSession &session,

@@ -106,7 +106,7 @@ public:
     session_.result("largest_tangential_force[N]", largest_rub_);
     session_.result("largest_overlap[m]", largest_overlap_);
     give(losses_);
-    draw();
+    session_.draw(contact_plots(pair_.impact));
     return end;
   }
 
@@ -265,18 +265,6 @@ private:
     session_.result("friction_dissipation[J]", losses.friction);
     session_.result("damping_dissipation[J]", losses.damping);
     session_.result("adhesion_dissipation[J]", losses.adhesion);
-  }
-
-  void draw()
-  {
-    if (!session_.plots())
-      return;
-    const std::string problem =
-        draw_plots(session_.folder().subfolder("plots"),
-                   contact_plots(pair_.impact),
-                   session_.input().output.plot_formats);
-    if (!problem.empty())
-      session_.log().warn(problem);
   }
 
   RunSession &session_;

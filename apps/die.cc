@@ -264,10 +264,7 @@ private:
     DiePlotFacts facts =
         plot_facts(settings_, results_.peak(), model_.last_step());
     facts.maps = !maps_.empty();
-    const std::string problem = draw_plots(
-        folder, die_plots(facts), session_.input().output.plot_formats);
-    if (!problem.empty())
-      session_.log().warn(problem);
+    session_.draw(die_plots(facts));
   }
 
   // Of pressing, before and after a checkpoint [s].

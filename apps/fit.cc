@@ -287,8 +287,6 @@ private:
 
   void draw(std::vector<Plot> plots)
   {
-    if (!session_.plots())
-      return;
     plots.push_back({"compaction",
                      R"(set title "Uniaxial compaction"
 set xlabel "relative density [-]"
@@ -297,12 +295,7 @@ density = "relative_density[-]"
 plot "../curve.csv" using (column(density)):(column("stress_zz[Pa]") / 1e6) with points pointsize 0.8 title "probes", \
      "" using (column(density)):(column("law_stress_zz[Pa]") / 1e6) with lines linecolor 2 title "law"
 )"});
-    const std::string problem =
-        draw_plots(session_.folder().subfolder("plots"),
-                   plots,
-                   session_.input().output.plot_formats);
-    if (!problem.empty())
-      session_.log().warn(problem);
+    session_.draw(plots);
   }
 
   const FitRequest &request_;

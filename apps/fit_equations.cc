@@ -34,14 +34,7 @@ int run_equations(const FitRequest &request, const RunOptions &options)
         session.result(name, value);
     for (const std::string &warning : report.warnings)
       session.warn(warning);
-    if (session.plots()) {
-      const std::string problem =
-          draw_plots(session.folder().subfolder("plots"),
-                     report.plots,
-                     session.input().output.plot_formats);
-      if (!problem.empty())
-        session.log().warn(problem);
-    }
+    session.draw(report.plots);
     return {};
   });
 }

@@ -63,7 +63,7 @@ public:
     give();
     if (caught_signal())
       return RunSession::interrupted(caught_signal());
-    draw();
+    session_.draw(probe_plots(true));
     return end();
   }
 
@@ -215,18 +215,6 @@ private:
                         first_difference_,
                         difference_,
                         run_.title().program)};
-  }
-
-  void draw()
-  {
-    if (!session_.plots())
-      return;
-    const std::string problem =
-        draw_plots(session_.folder().subfolder("plots"),
-                   probe_plots(true),
-                   session_.input().output.plot_formats);
-    if (!problem.empty())
-      session_.log().warn(problem);
   }
 
   RunSession &session_;

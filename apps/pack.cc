@@ -61,7 +61,7 @@ public:
     warn_of_history(session_, history_);
     results_.give(session_);
     say_remarks();
-    draw();
+    session_.draw(pack_plots());
     return end;
   }
 
@@ -186,18 +186,6 @@ private:
       cell_remarks.take(
           i, remarks_[i], [i] { return fmt::format("packing {}", i + 1); });
     cell_remarks.give();
-  }
-
-  void draw()
-  {
-    if (!session_.plots())
-      return;
-    const std::string problem =
-        draw_plots(session_.folder().subfolder("plots"),
-                   pack_plots(),
-                   session_.input().output.plot_formats);
-    if (!problem.empty())
-      session_.log().warn(problem);
   }
 
   static constexpr unsigned steps_between_lines = 25;

@@ -338,17 +338,10 @@ private:
 
   void draw()
   {
-    if (!session_.plots())
-      return;
     std::vector<Plot> plots = probe_plots(material_.cells != nullptr);
     if (scan_.found())
       std::ranges::move(scan_plots(), std::back_inserter(plots));
-    const std::string problem =
-        draw_plots(session_.folder().subfolder("plots"),
-                   plots,
-                   session_.input().output.plot_formats);
-    if (!problem.empty())
-      session_.log().warn(problem);
+    session_.draw(plots);
   }
 
   RunSession &session_;

@@ -258,17 +258,10 @@ private:
 
   void draw()
   {
-    if (!session_.plots())
-      return;
     std::vector<Plot> plots = replica_plots();
     if (session_.input().scan.on())
       std::ranges::move(scan_plots(), std::back_inserter(plots));
-    const std::string problem =
-        draw_plots(session_.folder().subfolder("plots"),
-                   plots,
-                   session_.input().output.plot_formats);
-    if (!problem.empty())
-      session_.log().warn(problem);
+    session_.draw(plots);
   }
 
   RunSession &session_;

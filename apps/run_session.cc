@@ -254,6 +254,16 @@ void RunSession::warn(const std::string &warning)
   log_->warn(warning);
 }
 
+void RunSession::draw(const std::vector<Plot> &plots)
+{
+  if (!plots_)
+    return;
+  const std::string problem = draw_plots(
+      folder_->subfolder("plots"), plots, input_.output.plot_formats);
+  if (!problem.empty())
+    log_->warn(problem);
+}
+
 int RunSession::run(const std::function<RunEnd()> &work)
 {
   RunEnd end;

@@ -2,6 +2,7 @@
 #ifndef apps_run_session_h
 #define apps_run_session_h
 
+#include <apps/plots.h>
 #include <apps/progress.h>
 #include <apps/run_folder.h>
 #include <apps/run_input.h>
@@ -86,6 +87,8 @@ public:
   const RankPlace &place() const { return place_; }
   unsigned threads() const { return record_.threads; }
   bool plots() const { return plots_; }
+  /// Draws into plots/, unless nobody wants plots; a failure is a warning.
+  void draw(const std::vector<Plot> &plots);
   /// Does the run go on from a checkpoint?
   bool resumes() const { return resumes_; }
   /// That checkpoint; null if there is none, and on other ranks than the first.
