@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <apps/build_facts.h>
 #include <apps/citations.h>
+#include <apps/run/build_facts.h>
 
 #include <algorithm>
 #include <cassert>

@@ -2,7 +2,7 @@
 #ifndef apps_citations_h
 #define apps_citations_h
 
-#include <apps/parameter_table.h>
+#include <apps/input/parameter_table.h>
 
 #include <string>
 #include <string_view>

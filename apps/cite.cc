@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <apps/citations.h>
 #include <apps/commands.h>
-#include <apps/input_table.h>
+#include <apps/run/input_table.h>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <apps/command_options.h>
-#include <apps/units.h>
+#include <apps/input/units.h>
 
 #include <CLI/CLI.hpp>
 #include <cstdlib>

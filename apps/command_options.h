@@ -2,7 +2,7 @@
 #ifndef apps_command_options_h
 #define apps_command_options_h
 
-#include <apps/run_session.h>
+#include <apps/run/run_session.h>
 
 #include <CLI/App.hpp>
 #include <string>

@@ -2,8 +2,8 @@
 #ifndef apps_commands_h
 #define apps_commands_h
 
-#include <apps/inspected_run.h>
-#include <apps/run_session.h>
+#include <apps/die/inspected_run.h>
+#include <apps/run/run_session.h>
 
 #include <filesystem>
 #include <string>

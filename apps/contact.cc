@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <apps/commands.h>
-#include <apps/curve_writer.h>
-#include <apps/interrupt.h>
-#include <apps/plots.h>
-#include <apps/run_material.h>
+#include <apps/output/curve_writer.h>
+#include <apps/output/plots.h>
+#include <apps/run/interrupt.h>
+#include <apps/run/run_material.h>
 #include <dem/pair_impact.h>
 #include <dem/remarks.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <apps/build_facts.h>
 #include <apps/commands.h>
-#include <apps/nearest_name.h>
-#include <apps/units.h>
+#include <apps/input/nearest_name.h>
+#include <apps/input/units.h>
+#include <apps/run/build_facts.h>
 
 #include <algorithm>
 #include <fmt/format.h>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <apps/cell_remarks.h>
 #include <apps/commands.h>
-#include <apps/curve_writer.h>
-#include <apps/interrupt.h>
+#include <apps/output/curve_writer.h>
+#include <apps/output/plots.h>
 #include <apps/pack_results.h>
-#include <apps/plots.h>
-#include <apps/run_material.h>
+#include <apps/run/cell_remarks.h>
+#include <apps/run/interrupt.h>
+#include <apps/run/run_material.h>
 #include <coupling/grain_output.h>
 #include <coupling/packing_file.h>
 #include <coupling/packing_library.h>

@@ -2,7 +2,7 @@
 #ifndef apps_pack_results_h
 #define apps_pack_results_h
 
-#include <apps/run_session.h>
+#include <apps/run/run_session.h>
 #include <dem/deform.h>
 #include <dem/unit_cell.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <apps/commands.h>
-#include <apps/parameter_table.h>
-#include <apps/powder.h>
+#include <apps/input/parameter_table.h>
+#include <apps/input/powder.h>
 
 #include <fmt/format.h>
 #include <iostream>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <apps/commands.h>
-#include <apps/input_purpose.h>
-#include <apps/input_table.h>
-#include <apps/units.h>
+#include <apps/input/input_purpose.h>
+#include <apps/input/units.h>
+#include <apps/run/input_table.h>
 
 #include <cstdlib>
 #include <fmt/format.h>

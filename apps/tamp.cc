@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <apps/build_facts.h>
 #include <apps/command_options.h>
 #include <apps/commands.h>
-#include <apps/nearest_name.h>
-#include <apps/probe_replicas.h>
-#include <apps/units.h>
+#include <apps/input/nearest_name.h>
+#include <apps/input/units.h>
+#include <apps/probe/probe_replicas.h>
+#include <apps/run/build_facts.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <apps/curve_targets.h>
-#include <apps/fit_confidence.h>
-#include <apps/surrogate_search.h>
+#include <apps/calibrate/curve_targets.h>
+#include <apps/calibrate/fit_confidence.h>
+#include <apps/calibrate/surrogate_search.h>
 
 #include <algorithm>
 #include <cmath>

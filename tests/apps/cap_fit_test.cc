@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <apps/cap_fit.h>
-#include <apps/law_check.h>
+#include <apps/fit/cap_fit.h>
+#include <apps/fit/law_check.h>
 
 #include <functional>
 #include <numbers>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <apps/cap_geometry.h>
-#include <apps/isotonic.h>
+#include <apps/fit/cap_geometry.h>
+#include <apps/fit/isotonic.h>
 
 #include <cmath>
 #include <gtest/gtest.h>

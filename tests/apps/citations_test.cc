@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <apps/build_facts.h>
 #include <apps/citations.h>
-#include <apps/run_input.h>
+#include <apps/input/run_input.h>
+#include <apps/run/build_facts.h>
 
 #include <algorithm>
 #include <fstream>

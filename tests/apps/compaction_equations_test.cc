@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <apps/compaction_equations.h>
-#include <apps/equation_report.h>
-#include <apps/units.h>
+#include <apps/fit/compaction_equations.h>
+#include <apps/fit/equation_report.h>
+#include <apps/input/units.h>
 
 #include <cmath>
 #include <filesystem>

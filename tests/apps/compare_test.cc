@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <apps/compared_curves.h>
-#include <apps/compared_fields.h>
-#include <apps/curve_difference.h>
-#include <apps/field_grid.h>
-#include <apps/units.h>
+#include <apps/compare/compared_curves.h>
+#include <apps/compare/compared_fields.h>
+#include <apps/compare/curve_difference.h>
+#include <apps/compare/field_grid.h>
+#include <apps/input/units.h>
 
 #include <cmath>
 #include <filesystem>

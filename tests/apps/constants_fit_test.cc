@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <apps/constants_fit.h>
-#include <apps/fit.h>
-#include <apps/units.h>
+#include <apps/fit/constants_fit.h>
+#include <apps/fit/fit.h>
+#include <apps/input/units.h>
 #include <fem/laws/modified_cam_clay.h>
 
 #include <sstream>

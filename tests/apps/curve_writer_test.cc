@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <apps/curve_writer.h>
+#include <apps/output/curve_writer.h>
 
 #include <csignal>
 #include <cstdlib>

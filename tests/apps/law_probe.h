@@ -2,8 +2,8 @@
 #ifndef tests_apps_law_probe_h
 #define tests_apps_law_probe_h
 
-#include <apps/curve_writer.h>
-#include <apps/probe_columns.h>
+#include <apps/output/curve_writer.h>
+#include <apps/output/probe_columns.h>
 #include <fem/laws/cap_surface.h>
 #include <fem/laws/drucker_prager_cap.h>
 #include <fem/laws/fkm_gurson.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <apps/law_text.h>
-#include <apps/parameter_table.h>
-#include <apps/run_input.h>
+#include <apps/fit/law_text.h>
+#include <apps/input/parameter_table.h>
+#include <apps/input/run_input.h>
 
 #include <cmath>
 #include <numbers>

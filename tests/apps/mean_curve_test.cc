@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <apps/mean_curve.h>
-#include <apps/probe_columns.h>
+#include <apps/output/probe_columns.h>
+#include <apps/probe/mean_curve.h>
 
 #include <cmath>
 #include <gtest/gtest.h>

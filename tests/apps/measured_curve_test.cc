@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <apps/measured_curve.h>
-#include <apps/units.h>
+#include <apps/calibrate/measured_curve.h>
+#include <apps/input/units.h>
 
 #include <filesystem>
 #include <fmt/format.h>

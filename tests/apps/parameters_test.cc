@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <apps/nearest_name.h>
-#include <apps/parameter_table.h>
-#include <apps/powder.h>
-#include <apps/run_input.h>
+#include <apps/input/nearest_name.h>
+#include <apps/input/parameter_table.h>
+#include <apps/input/powder.h>
+#include <apps/input/run_input.h>
 #include <coupling/unit_cell_points.h>
 #include <dem/unit_cell_bytes.h>
 #include <fem/kinematics.h>

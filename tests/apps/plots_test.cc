@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <apps/die_plots.h>
+#include <apps/die/die_plots.h>
 
 #include <algorithm>
 #include <gtest/gtest.h>

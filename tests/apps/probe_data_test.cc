@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <apps/cap_fit.h>
-#include <apps/units.h>
+#include <apps/fit/cap_fit.h>
+#include <apps/input/units.h>
 
 #include <cmath>
 

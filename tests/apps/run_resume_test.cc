@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <apps/parameter_table.h>
-#include <apps/run_input.h>
-#include <apps/run_resume.h>
+#include <apps/input/parameter_table.h>
+#include <apps/input/run_input.h>
+#include <apps/run/run_resume.h>
 
 #include <filesystem>
 #include <fstream>

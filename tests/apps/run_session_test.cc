@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <apps/run_session.h>
-#include <apps/units.h>
+#include <apps/input/units.h>
+#include <apps/run/run_session.h>
 
 #include <filesystem>
 #include <fstream>

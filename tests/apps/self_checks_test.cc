@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <apps/self_checks.h>
+#include <apps/selftest/self_checks.h>
 
 #include <cmath>
 #include <gtest/gtest.h>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <apps/contact_parameters.h>
-#include <apps/parameter_table.h>
-#include <apps/probe_path.h>
-#include <apps/run_input.h>
-#include <apps/schedule.h>
-#include <apps/units.h>
+#include <apps/input/contact_parameters.h>
+#include <apps/input/parameter_table.h>
+#include <apps/input/probe_path.h>
+#include <apps/input/run_input.h>
+#include <apps/input/schedule.h>
+#include <apps/input/units.h>
 
 #include <deal.II/base/tensor.h>
 

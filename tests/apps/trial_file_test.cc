@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <apps/growing_file.h>
-#include <apps/trial_file.h>
+#include <apps/die/trial_file.h>
+#include <apps/output/growing_file.h>
 
 #include <filesystem>
 #include <fstream>

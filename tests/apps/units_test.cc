@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <apps/units.h>
+#include <apps/input/units.h>
 
 #include <gtest/gtest.h>
 #include <numbers>

@@ -22,14 +22,23 @@ standard='[a-z0-9_]+'
 # deal.II's own: PETSc, Trilinos, MPI and Boost come with it.
 deal='deal\.II/[^>]*|petsc[^>]*|Teuchos[^>]*|Epetra[^>]*|Amesos[^>]*|Sacado[^>]*'
 deal+='|AztecOO[^>]*|ml_[^>]*|boost/[^>]*|mpi\.h'
+# Whatever is not of the program itself.
+any="$standard|[b-z][^>]*|[A-Z][^>]*"
 allowed_in() {
+  local room
   case $1 in
     dem/kernel/*) echo "$standard|Eigen/[^>]*|dem/[^>]*|hwy/[^>]*" ;;
     dem/*) echo "$standard|Eigen/[^>]*|dem/[^>]*" ;;
     fem/*) echo "$standard|fem/[^>]*|$deal" ;;
     coupling/*)
       echo "$standard|Eigen/[^>]*|(dem|fem|coupling)/[^>]*|$deal|vtk[^>]*|(hdf5|fcntl|unistd|zlib)\.h" ;;
-    *) echo '[^>]*' ;;
+    apps/input/*) echo "$any|apps/input/[^>]*" ;;
+    apps/output/*) echo "$any|apps/(input|output)/[^>]*" ;;
+    apps/run/*) echo "$any|apps/(input|output|run)/[^>]*" ;;
+    apps/*/*)
+      room=$(cut -d / -f 2 <<< "$1")
+      echo "$any|apps/(input|output|run|$room)/[^>]*|apps/command[a-z_]*\.h" ;;
+    *) echo "[^>]*" ;;
   esac
 }
 

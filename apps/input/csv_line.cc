@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <apps/input/csv_line.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace tamp::apps
+{
+std::vector<std::string> fields_of(const std::string &line)
+{
+  std::vector<std::string> fields;
+  for (std::size_t start = 0; start <= line.size();) {
+    const std::size_t end = std::min(line.find(',', start), line.size());
+    fields.emplace_back(trimmed(line.substr(start, end - start)));
+    start = end + 1;
+  }
+  return fields;
+}
+
+std::optional<double> number_of(const std::string &field)
+{
+  double value = 0;
+  const char *end = field.data() + field.size();
+  const auto [stop, error] = std::from_chars(field.data(), end, value);
+  if (error != std::errc() || stop != end || !std::isfinite(value))
+    return {};
+  return value;
+}
+
+std::optional<double> column_factor(const std::string &column,
+                                    const std::string &name,
+                                    const Dimension &dimension)
+{
+  if (!column.starts_with(name + "[") || !column.ends_with(']'))
+    return {};
+  const std::string unit =
+      column.substr(name.size() + 1, column.size() - name.size() - 2);
+  if (unit == "-" && dimension == dimension::number)
+    return 1;
+  const auto found = parse_unit(unit);
+  if (!found || found->dimension != dimension)
+    throw InputError(fmt::format(
+        "'{}': expected a unit of {}", column, described(dimension)));
+  return found->value;
+}
+} // namespace tamp::apps
