@@ -17,7 +17,7 @@
 # Five minutes before the end this script is told, which tells the ranks of this
 # node, which tell all: the step at hand is finished, a checkpoint written. The
 # same job, started again, goes on from there. mpirun, told instead, may kill
-# before: see apps/README.md.
+# before: see apps/run/README.md.
 #SBATCH --signal=B:TERM@300
 set -eu
 input=$1
