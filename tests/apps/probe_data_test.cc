@@ -90,7 +90,7 @@ TEST(ProbeData, WindowsLineEndsAreRead)
   std::string text = curve();
   for (std::size_t at = 0; (at = text.find('\n', at)) != std::string::npos;
        at += 2)
-    text.insert(at, "\r");
+    text.insert(at, 1, '\r');
   place.write("a/curve.csv", text);
   EXPECT_EQ(complaint(place), "");
 }
