@@ -2,6 +2,7 @@
 #include <apps/calibrate/calibration_file.h>
 #include <apps/calibrate/curve_targets.h>
 #include <apps/input/csv_line.h>
+#include <apps/input/units.h>
 
 #include <algorithm>
 #include <fmt/format.h>

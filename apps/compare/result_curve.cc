@@ -1,73 +1,42 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <apps/compare/result_curve.h>
 #include <apps/input/csv_line.h>
+#include <apps/input/csv_reader.h>
 #include <apps/input/units.h>
 
 #include <cassert>
 #include <fmt/format.h>
-#include <fstream>
 #include <regex>
 
 namespace tamp::apps
 {
 ResultCurve::ResultCurve(const std::filesystem::path &file) : file_(file)
 {
-  std::ifstream in(file);
-  if (!in)
-    throw InputError(
-        fmt::format("'{}' cannot be read; expected the curve of a run of tamp",
-                    file.string()));
-  read(in);
-  find_stages();
-}
-
-void ResultCurve::read(std::ifstream &in)
-{
-  std::vector<std::string> header;
-  unsigned number = 0;
-  for (std::string line; std::getline(in, line);) {
-    ++number;
-    const auto complain = [&](const std::string &problem) {
-      throw InputError(
-          fmt::format("{}:{}: {}", file_.string(), number, problem));
-    };
-    if (header.empty() && line.starts_with('#')) {
-      take_remark(line);
-      continue;
-    }
-    const std::vector<std::string> fields = fields_of(line);
-    if (header.empty()) {
-      header = fields;
-      for (const std::string &name : header)
-        if (name.empty() || number_of(name) ||
-            !columns_.try_emplace(name).second)
-          complain(fmt::format("'{}' is not the name of a column, or names a "
-                               "second one; expected a header name[unit], ...",
-                               name));
-      continue;
-    }
-    if (fields.size() != header.size())
-      complain(fmt::format(
-          "expected {} numbers, found {}", header.size(), fields.size()));
-    for (std::size_t i = 0; i < fields.size(); ++i) {
-      const auto value = number_of(fields[i]);
-      if (!value)
-        complain(fmt::format(
-            "column '{}': '{}' is not a finite number", header[i], fields[i]));
-      columns_[header[i]].push_back(*value);
-    }
+  CsvReader reader(file, "curve");
+  for (const std::string &remark : reader.remarks())
+    take_remark(remark);
+  for (const std::string &name : reader.names())
+    if (name.empty() || number_of(name) || !columns_.try_emplace(name).second)
+      reader.complain(
+          fmt::format("'{}' is not the name of a column, or names a second "
+                      "one; expected a header name[unit], ...",
+                      name));
+  while (reader.next()) {
+    const std::vector<double> values = reader.numbers();
+    for (std::size_t i = 0; i < values.size(); ++i)
+      columns_[reader.names()[i]].push_back(values[i]);
     ++size_;
   }
   if (size_ == 0)
-    throw InputError(fmt::format(
-        "{}:{}: there is no line of values", file_.string(), number));
+    reader.complain("there is no line of values");
+  find_stages();
 }
 
-void ResultCurve::take_remark(const std::string &line)
+void ResultCurve::take_remark(const std::string &remark)
 {
-  static const std::regex pattern(R"(# stage (\d{1,6}): (\S+).*)");
+  static const std::regex pattern(R"(stage (\d{1,6}): (\S+).*)");
   std::smatch parts;
-  if (std::regex_match(line, parts, pattern))
+  if (std::regex_match(remark, parts, pattern))
     kinds_[static_cast<unsigned>(std::stoul(parts[1]))] = parts[2];
 }
 

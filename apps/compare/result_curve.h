@@ -43,8 +43,7 @@ public:
   std::string kind(unsigned stage) const;
 
 private:
-  void read(std::ifstream &in);
-  void take_remark(const std::string &line);
+  void take_remark(const std::string &remark);
   void find_stages();
 
   std::filesystem::path file_;

@@ -23,25 +23,16 @@ struct LoadingCurve {
   double initial_density = 0, initial_pressure = 0;
 };
 
-CsvReader::Column column(const CsvReader &table,
-                         const std::string &name,
-                         const Dimension &dimension)
-{
-  if (const auto found = table.find(name, dimension))
-    return *found;
-  table.complain("expected a column '" + name + "'");
-}
-
 LoadingCurve read_loading(const std::filesystem::path &file)
 {
   CsvReader table(file, "curve");
   const auto of_die = table.find("mean_relative_density", dimension::number);
   const auto density =
-      of_die ? *of_die : column(table, "relative_density", dimension::number);
-  const auto upper = column(
-      table, of_die ? "upper_pressure" : "stress_zz", dimension::pressure);
+      of_die ? *of_die : table.column("relative_density", dimension::number);
+  const auto upper = table.column(of_die ? "upper_pressure" : "stress_zz",
+                                  dimension::pressure);
   const auto lower =
-      of_die ? column(table, "lower_pressure", dimension::pressure) : upper;
+      of_die ? table.column("lower_pressure", dimension::pressure) : upper;
   LoadingCurve curve;
   double largest = 0;
   while (table.next()) {

@@ -17,25 +17,6 @@ using Column = CsvReader::Column;
 /// Fewer states of loading say nothing about a curve.
 constexpr std::size_t fewest_states = 5;
 
-/// The columns that a table must have.
-class Columns
-{
-public:
-  explicit Columns(CsvReader &reader) : reader_(reader) {}
-
-  Column of(const std::string &name, const Dimension &dimension)
-  {
-    const auto column = reader_.find(name, dimension);
-    if (!column)
-      reader_.complain(
-          fmt::format("there is no column '{}[{}]'", name, si_unit(dimension)));
-    return *column;
-  }
-
-private:
-  CsvReader &reader_;
-};
-
 /// A line of curve.csv.
 struct CurveLine {
   PathPoint point;
@@ -45,15 +26,14 @@ struct CurveLine {
 std::vector<CurveLine> read_curve(const fs::path &file)
 {
   CsvReader reader(file, "curve of a probe");
-  Columns columns(reader);
   const auto pure = dimension::number;
-  const Column density = columns.of("relative_density", pure),
-               xx = columns.of("strain_xx", pure),
-               yy = columns.of("strain_yy", pure),
-               zz = columns.of("strain_zz", pure),
-               p = columns.of("pressure", dimension::pressure),
-               q = columns.of("deviatoric_stress", dimension::pressure),
-               axial = columns.of("stress_zz", dimension::pressure);
+  const Column density = reader.column("relative_density", pure),
+               xx = reader.column("strain_xx", pure),
+               yy = reader.column("strain_yy", pure),
+               zz = reader.column("strain_zz", pure),
+               p = reader.column("pressure", dimension::pressure),
+               q = reader.column("deviatoric_stress", dimension::pressure),
+               axial = reader.column("stress_zz", dimension::pressure);
   std::vector<CurveLine> lines;
   while (reader.next()) {
     CurveLine line{
@@ -124,18 +104,17 @@ void take_curve(const fs::path &file, ProbeData &probe)
 void take_yields(const fs::path &file, ProbeData &probe)
 {
   CsvReader reader(file, "table of yield points");
-  Columns columns(reader);
   const auto pure = dimension::number, stress = dimension::pressure;
-  const Column replica = columns.of("replica", pure),
-               density = columns.of("relative_density", pure),
-               reached_p = columns.of("reached_pressure", stress),
-               reached_q = columns.of("reached_deviatoric_stress", stress),
-               branch = columns.of("branch", pure),
-               criterion = columns.of("criterion", pure),
-               p = columns.of("pressure", stress),
-               q = columns.of("deviatoric_stress", stress),
-               volume = columns.of("plastic_volumetric_strain", pure),
-               shear = columns.of("plastic_shear_strain", pure);
+  const Column replica = reader.column("replica", pure),
+               density = reader.column("relative_density", pure),
+               reached_p = reader.column("reached_pressure", stress),
+               reached_q = reader.column("reached_deviatoric_stress", stress),
+               branch = reader.column("branch", pure),
+               criterion = reader.column("criterion", pure),
+               p = reader.column("pressure", stress),
+               q = reader.column("deviatoric_stress", stress),
+               volume = reader.column("plastic_volumetric_strain", pure),
+               shear = reader.column("plastic_shear_strain", pure);
   while (reader.next())
     probe.yields.push_back({static_cast<int>(reader.number(replica)),
                             reader.number(density),
@@ -154,11 +133,10 @@ void take_yields(const fs::path &file, ProbeData &probe)
 void take_moduli(const fs::path &file, ProbeData &probe)
 {
   CsvReader reader(file, "table of moduli");
-  Columns columns(reader);
-  const Column replica = columns.of("replica", dimension::number),
-               density = columns.of("relative_density", dimension::number),
-               bulk = columns.of("bulk_modulus", dimension::pressure),
-               shear = columns.of("shear_modulus", dimension::pressure);
+  const Column replica = reader.column("replica", dimension::number),
+               density = reader.column("relative_density", dimension::number),
+               bulk = reader.column("bulk_modulus", dimension::pressure),
+               shear = reader.column("shear_modulus", dimension::pressure);
   while (reader.next()) {
     probe.moduli.push_back({static_cast<int>(reader.number(replica)),
                             reader.number(density),

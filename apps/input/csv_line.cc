@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <apps/input/csv_line.h>
+#include <apps/input/units.h>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fmt/format.h>
 
 namespace tamp::apps
 {
@@ -27,22 +27,5 @@ std::optional<double> number_of(const std::string &field)
   if (error != std::errc() || stop != end || !std::isfinite(value))
     return {};
   return value;
-}
-
-std::optional<double> column_factor(const std::string &column,
-                                    const std::string &name,
-                                    const Dimension &dimension)
-{
-  if (!column.starts_with(name + "[") || !column.ends_with(']'))
-    return {};
-  const std::string unit =
-      column.substr(name.size() + 1, column.size() - name.size() - 2);
-  if (unit == "-" && dimension == dimension::number)
-    return 1;
-  const auto found = parse_unit(unit);
-  if (!found || found->dimension != dimension)
-    throw InputError(fmt::format(
-        "'{}': expected a unit of {}", column, described(dimension)));
-  return found->value;
 }
 } // namespace tamp::apps

@@ -28,10 +28,17 @@ public:
   /// @param what  the kind of table, for the message if there is no such file
   CsvReader(const std::filesystem::path &file, const std::string &what);
 
+  /// The remarks before the header, without #.
+  const std::vector<std::string> &remarks() const { return remarks_; }
+  /// The header as it stands; empty if there is none.
+  const std::vector<std::string> &names() const { return names_; }
+
   /// The column "name[unit]"; none if there is no such name. Throws if the unit
   /// is not one of this dimension, or if there are two columns of the name.
   std::optional<Column> find(const std::string &name,
                              const Dimension &dimension) const;
+  /// The same of a column that must be there. Throws if it is not.
+  Column column(const std::string &name, const Dimension &dimension) const;
 
   /// Goes to the next line of values; false at the end. Throws if the line has
   /// not as many values as the header.
@@ -45,6 +52,8 @@ public:
   }
   /// The value in a column, in SI. Throws if it is not a finite number.
   double number(const Column &column) const;
+  /// All values of the line as they stand. Throws likewise.
+  std::vector<double> numbers() const;
 
   /// Throws InputError with file and number of the line at hand.
   [[noreturn]] void complain(const std::string &problem) const;
@@ -56,7 +65,7 @@ private:
   std::ifstream in_;
   unsigned line_ = 0;
   std::string text_;
-  std::vector<std::string> header_, fields_;
+  std::vector<std::string> remarks_, names_, fields_;
 };
 } // namespace tamp::apps
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <apps/output/curve_writer.h>
+#include <apps/output/number_table.h>
 
+#include <array>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
@@ -97,4 +99,46 @@ TEST(CurveWriter, GoesOnWhereItWasAndRefusesWhatIsShorter)
   EXPECT_EQ(std::filesystem::file_size(file), whole);
   std::filesystem::remove(file);
   EXPECT_THROW(CurveWriter(file, 2, 0), OutputError);
+}
+
+TEST(NumberTable, IsWhatWasWrittenToTheLastBit)
+{
+  const auto file = std::filesystem::temp_directory_path() /
+                    ("tamp_table_" + std::to_string(getpid()) + ".csv");
+  const std::vector<std::string> names{"step", "stress[Pa]"};
+  const std::vector<std::string> remarks{"stage 1: press", "", "# a remark"};
+  const std::vector<std::vector<double>> rows{{0, 1. / 3}, {1, -1e-300}};
+  {
+    CurveWriter writer(file, names, remarks);
+    for (const auto &row : rows)
+      writer.write(row);
+  }
+  const NumberTable table = read_number_table(file);
+  EXPECT_EQ(table.remarks, remarks);
+  EXPECT_EQ(table.names, names);
+  EXPECT_EQ(table.rows, rows);
+  std::filesystem::remove(file);
+}
+
+TEST(NumberTable, DamageIsAnErrorOfOutputThatNamesTheLine)
+{
+  const auto file = std::filesystem::temp_directory_path() /
+                    ("tamp_table_" + std::to_string(getpid()) + ".csv");
+  const auto complaint = [&] {
+    try {
+      read_number_table(file);
+    } catch (const OutputError &error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(complaint().find("there is no table"), std::string::npos);
+  for (const auto &[text, words] : std::vector<std::array<std::string, 2>>{
+           {"", ".csv:1: there is no header"},
+           {"a,b\n1,2\n1\n", ".csv:3: '1': expected 2 values"},
+           {"a,b\n1,nan\n", ".csv:2: 'nan': expected a finite number"}}) {
+    std::ofstream(file) << text;
+    EXPECT_NE(complaint().find(words), std::string::npos) << complaint();
+  }
+  std::filesystem::remove(file);
 }

@@ -230,7 +230,7 @@ TEST_F(Parameters, AFileOfDensitiesThatCannotBeUsedIsNamedWithItsLine)
            {"r[mm],z[s],relative_density[-]\n", ":1: 'z[s]': expected a unit"},
            {"r[mm],r[m],z[m],relative_density[-]\n", "two columns 'r'"},
            {head + "0,0\n", "f.csv:2: '0,0': expected 3 values"},
-           {head + "0,0,a\n", "f.csv:2: 'a': expected a number"},
+           {head + "0,0,a\n", "f.csv:2: 'a': expected a finite number in"},
            {head + "0,0,1.3\n", ":2: '1.3': expected a relative density"},
            {head + low + "0,0,0.3\n", "f.csv:4: the place of"},
            {head + low, "f.csv:3: expected at least two different values of z"},

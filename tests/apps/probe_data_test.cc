@@ -159,7 +159,8 @@ TEST(ProbeData, WhatIsNoNumberIsNamedWithItsLine)
   for (const std::string word : {"nan", "inf", "x", ""}) {
     write_good(place);
     place.write("a/moduli.csv", moduli + "0,0.9,1e7," + word + ",2e9\n");
-    expect_said(place, "moduli.csv:4: '" + word + "': expected a number");
+    expect_said(place,
+                "moduli.csv:4: '" + word + "': expected a finite number");
   }
   write_good(place);
   place.write("a/moduli.csv", moduli + "0,0.9,1e7,2e9\n");
