@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <apps/input/csv_line.h>
 #include <apps/input/probe_path.h>
 #include <apps/input/stage_reader.h>
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <fmt/format.h>
 #include <fstream>
 #include <optional>
-#include <sstream>
 
 namespace tamp::apps
 {
@@ -21,12 +20,12 @@ struct GradientColumns {
   bool relative = false;
 };
 
+// The values of a line, which may end with a comma.
 std::vector<std::string> cells_of(const std::string &line)
 {
-  std::vector<std::string> cells;
-  std::istringstream in(line);
-  for (std::string cell; std::getline(in, cell, ',');)
-    cells.emplace_back(trimmed(cell));
+  std::vector<std::string> cells = fields_of(line);
+  if (cells.back().empty())
+    cells.pop_back();
   return cells;
 }
 
@@ -63,11 +62,10 @@ gradient_of(const std::vector<std::string> &cells,
     return {};
   dealii::Tensor<2, 3> F;
   for (unsigned i = 0; i < 9; ++i) {
-    const std::string &cell = cells[columns.place[i]];
-    const auto [end, error] = std::from_chars(
-        cell.data(), cell.data() + cell.size(), F[i / 3][i % 3]);
-    if (error != std::errc() || end != cell.data() + cell.size())
+    const auto value = number_of(cells[columns.place[i]]);
+    if (!value)
       return {};
+    F[i / 3][i % 3] = *value;
   }
   if (!(determinant(F) > 0))
     return {};
