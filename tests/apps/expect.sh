@@ -6,7 +6,7 @@ failures=0
 # expect CODE TEXT... -- COMMAND: the exit code, and one message on stderr with
 # all the texts.
 expect() {
-  local code=$1 texts=() status=0
+  local code=$1 texts=() status=0 text
   shift
   while [ "$1" != -- ]; do
     texts+=("$1")

@@ -35,36 +35,14 @@ subsection Output
 end
 END_OF_INPUT
 
-if [ "$part" = cells ] || [ "$part" = law ]; then
-  input=$part
-  "$tamp" die $input.prm -o $input --no-plots -q \
-    --set 'Output/Checkpoint interval = 0'
-  [ ! -e $input/checkpoint ] || fail "a checkpoint that nobody asked for"
-  last=$(tail -n 1 $input/curve.csv | cut -d, -f1)
-  # Half-written files are left, too: every step writes one.
-  kill_after KILL 1 $input.prm killed_$input
-  for twentieth in 7 14; do
-    [ "$status" -eq 137 ] || fail "exit code $status"
-    kill_after KILL $((last * twentieth / 20)) $input.prm killed_$input \
-      --resume --threads $((twentieth % 2 + 1))
-  done
-  # SIGTERM writes one, and the fields of that step, which later go.
-  kill_after TERM $((last * 17 / 20)) $input.prm killed_$input --resume
-  [ "$status" -eq 143 ] || fail "SIGTERM: exit code $status"
-  "$tamp" die $input.prm -o killed_$input --no-plots -q --resume
-  [ "$(grep -c 'going on after step' killed_$input/log.txt)" -eq 4 ] ||
-    fail "log.txt does not tell where the run went on"
-  grep -q '"resumed_after_steps"' killed_$input/run.json || fail "run.json"
-  leaves $input killed_$input
-  # SIGUSR1 writes one, and the run goes on; also one that still packs.
-  file=fields/step_0005.vtu
-  [ "$part" = law ] || file=run.json
-  asked_in asked $file true
-  [ "$(find asked/checkpoint -name '*.tamp' | wc -l)" -eq 1 ] ||
-    fail "SIGUSR1: no checkpoint"
-  leaves $input asked
-  echo "all well"
-fi
+case $part in
+  cells) goes_on cells run.json 7 14 ;; # also asked while it packs
+  law) goes_on law fields/step_0005.vtu 7 14 ;;
+  refused)
+    refuses 12 'Die/Wall friction coefficient = 0.3' \
+      'Die/Wall friction coefficient = 0.3, was 0.2'
+    ;;
+esac
 
 # Cells go on to the bit on any number of ranks.
 if [ "$part" = ranks ]; then
@@ -93,51 +71,6 @@ if [ "$part" = ranks ]; then
   [ "$(grep -c 'going on after step' killed/log.txt)" -eq 3 ] ||
     fail "log.txt does not tell where the run went on"
   leaves cells killed
-  echo "all well"
-fi
-
-if [ "$part" = refused ]; then
-  kill_after TERM 12 law.prm run
-  cp -a run untouched
-  untouched() {
-    diff -r run untouched || fail "$1: the folder was changed"
-  }
-  again=("$tamp" die law.prm --resume --no-plots -q)
-  expect 2 'missing' 'not the folder of a run' -- "${again[@]}" -o missing
-  [ ! -e missing ] || fail "a folder was made"
-  expect 2 '--force' -- "${again[@]}" -o run --force
-  expect 2 'the input is not that of the run' \
-    'Die/Wall friction coefficient = 0.3, was 0.2' 'Nothing was changed' -- \
-    "${again[@]}" -o run --set 'Die/Wall friction coefficient = 0.3'
-  untouched "another input"
-  # Flipped, cut off, of another format: the older one is used.
-  step_of run
-  newest=run/checkpoint/$(printf 'step_%04d.tamp' "$newest")
-  older=$(find run/checkpoint -name '*.tamp' ! -path "$newest")
-  has "$newest" "$older"
-  "$tamp" die law.prm -o whole --no-plots -q
-  for way in flipped cut format; do
-    rm -rf run && cp -a untouched run
-    spoil $way "$newest"
-    "${again[@]}" -o run --set 'Output/Checkpoint interval = 1 h' > /dev/null ||
-      fail "$way: exit code $?"
-    grep -q "warning: the checkpoint '$newest' cannot be used" run/log.txt ||
-      fail "$way: log.txt does not tell"
-    grep -q "going on after step.*$older" run/log.txt ||
-      fail "$way: the older one was not used"
-    sed -i '/"warnings"/,/\],/d' run/run.json
-    leaves whole run
-  done
-  rm -rf run && cp -a untouched run
-  spoil flipped "$newest"
-  spoil format "$older"
-  rm -rf untouched && cp -a run untouched
-  expect 4 "$newest" "$older" 'damaged' 'format 2' 'Nothing was changed' -- \
-    "${again[@]}" -o run
-  rm -rf run/checkpoint untouched/checkpoint
-  expect 2 'no checkpoint' 'run/checkpoint' -- "${again[@]}" -o run
-  untouched "no checkpoint"
-  [ "$failures" -eq 0 ] || exit 1
   echo "all well"
 fi
 
