@@ -15,11 +15,12 @@ constexpr double sliding_share = 0.1;
 
 /// Sum over contacts of d^2 [k_n n (n.e.n) + (k_t - pull N/d) (e.n)_t] (x) n /
 /// V.
-Tangent contact_sum(const UnitCell &cell, double pull)
+Tangent contact_sum(const UnitCell &cell,
+                    const std::vector<ContactForce> &contacts,
+                    double pull)
 {
   Tangent result = Tangent::Zero();
   const double volume = cell.box.volume();
-  const std::vector<ContactForce> contacts = contact_forces(cell);
   const std::vector<ContactStiffness> stiffness =
       contact_stiffness(cell, contacts, ContactSlope::loading);
   for (std::size_t c = 0; c < contacts.size(); ++c) {
@@ -42,7 +43,7 @@ Tangent contact_sum(const UnitCell &cell, double pull)
 
 Tangent voigt_stiffness(const UnitCell &cell)
 {
-  return contact_sum(cell, 0);
+  return contact_sum(cell, contact_forces(cell), 0);
 }
 
 Tangent stress_transport(const Matrix3 &stress)
@@ -57,6 +58,8 @@ Tangent stress_transport(const Matrix3 &stress)
 
 Tangent voigt_tangent(const UnitCell &cell)
 {
-  return contact_sum(cell, 1) + stress_transport(love_weber_stress(cell));
+  const std::vector<ContactForce> contacts = contact_forces(cell);
+  return contact_sum(cell, contacts, 1) +
+         stress_transport(love_weber_stress(contacts, cell.box.volume()));
 }
 } // namespace tamp::dem
