@@ -35,6 +35,49 @@ int fail(ExitCode code, const std::string &message)
   return code;
 }
 
+void add_die(CLI::App &app, RunOptions &options, int &code)
+{
+  CLI::App *die = app.add_subcommand("die", "Press a powder in a die");
+  add_run_options(*die, options);
+  die->add_flag("--resume",
+                options.resume,
+                "Go on from the newest good checkpoint in the folder")
+      ->excludes("--force");
+  die->callback([&] { code = run_die(options); });
+}
+
+void add_pack(CLI::App &app, RunOptions &options, int &code)
+{
+  CLI::App *pack = app.add_subcommand("pack", "Make packings of grains");
+  add_run_options(*pack, options);
+  pack->callback([&] {
+    expect_one_rank("pack");
+    code = run_pack(options);
+  });
+}
+
+void add_contact(CLI::App &app, RunOptions &options, int &code)
+{
+  CLI::App *contact = app.add_subcommand(
+      "contact", "Take a pair of grains along a path or through an impact");
+  add_run_options(*contact, options);
+  contact->callback([&] {
+    expect_one_rank("contact");
+    code = run_contact(options);
+  });
+}
+
+void add_check(CLI::App &app, RunOptions &options, int &code)
+{
+  CLI::App *check =
+      app.add_subcommand("check", "Read and judge an input without running it");
+  add_input_options(*check, options);
+  check->callback([&] {
+    expect_one_rank("check");
+    code = check_input(options);
+  });
+}
+
 void add_inspect(CLI::App &app,
                  PointChoice &choice,
                  RunOptions &options,
@@ -170,39 +213,12 @@ int run(int argc, char **argv)
   OtherOptions other;
   int code = exit_done;
 
-  CLI::App *die = app.add_subcommand("die", "Press a powder in a die");
-  add_run_options(*die, options);
-  die->add_flag("--resume",
-                options.resume,
-                "Go on from the newest good checkpoint in the folder")
-      ->excludes("--force");
-  die->callback([&] { code = run_die(options); });
-
+  add_die(app, options, code);
   ReplicaChoice replicas;
   add_probe(app, options, replicas, code);
-
-  CLI::App *pack = app.add_subcommand("pack", "Make packings of grains");
-  add_run_options(*pack, options);
-  pack->callback([&] {
-    expect_one_rank("pack");
-    code = run_pack(options);
-  });
-
-  CLI::App *contact = app.add_subcommand(
-      "contact", "Take a pair of grains along a path or through an impact");
-  add_run_options(*contact, options);
-  contact->callback([&] {
-    expect_one_rank("contact");
-    code = run_contact(options);
-  });
-
-  CLI::App *check =
-      app.add_subcommand("check", "Read and judge an input without running it");
-  add_input_options(*check, options);
-  check->callback([&] {
-    expect_one_rank("check");
-    code = check_input(options);
-  });
+  add_pack(app, options, code);
+  add_contact(app, options, code);
+  add_check(app, options, code);
 
   PointChoice choice;
   add_inspect(app, choice, options, code);

@@ -12,18 +12,10 @@ namespace
 {
 constexpr Range share{0, 1, true, true};
 constexpr Range small{0, 0.01, true, false};
-} // namespace
 
-void declare_scan(ParameterTable &table)
+// The branches on which a point looks for yield.
+void declare_branches(ParameterTable &table)
 {
-  table.enter("Scan");
-  table.quantities("Densities",
-                   "",
-                   dimension::number,
-                   share,
-                   "Relative densities of the path, rising, at which copies of "
-                   "the point look for yield and moduli: yield.csv, "
-                   "moduli.csv; none: no scan");
   const auto shares = [&](const char *name,
                           const char *value,
                           const char *text) {
@@ -49,6 +41,20 @@ void declare_scan(ParameterTable &table)
   shares("Uniaxial shares",
          "0.9, 0.6",
          "compressed along the axis, lateral strains held");
+}
+} // namespace
+
+void declare_scan(ParameterTable &table)
+{
+  table.enter("Scan");
+  table.quantities("Densities",
+                   "",
+                   dimension::number,
+                   share,
+                   "Relative densities of the path, rising, at which copies of "
+                   "the point look for yield and moduli: yield.csv, "
+                   "moduli.csv; none: no scan");
+  declare_branches(table);
   table.quantity("Strain offset",
                  "5e-4",
                  dimension::number,

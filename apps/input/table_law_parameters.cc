@@ -69,36 +69,10 @@ coupling::ElasticTable read_elasticity(const ParameterTable &table,
   elasticity.poissons_ratio = table.numbers(section + "/Poisson's ratio");
   return elasticity;
 }
-} // namespace
 
-void declare_elastic(ParameterTable &table)
+// Shape and hardening of the cap over density.
+void declare_cap_tables(ParameterTable &table)
 {
-  table.enter("Elastic");
-  table.quantity("Initial relative density",
-                 "0.6",
-                 dimension::number,
-                 a_density,
-                 "Of the powder at the start");
-  declare_elasticity(table);
-  table.leave();
-}
-
-void declare_cap(ParameterTable &table)
-{
-  table.enter("Drucker-Prager cap");
-  table.choice("Powder",
-               "mcc ph102",
-               {"mcc ph102", "agcusnin"},
-               "Whose tables hold where nothing else is given below: Avicel "
-               "PH-102 (the defaults that stand here) or the metal powder "
-               "AgCuSnIn (public tables after Zhou et al. 2017; angle, "
-               "eccentricity and elasticity linear between their ends)");
-  table.quantity("Initial relative density",
-                 "0.3411",
-                 dimension::number,
-                 a_density,
-                 "Of the powder at the start");
-  declare_elasticity(table);
   table.quantities(
       "Shape densities",
       "0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 0.93, 0.96, 0.99",
@@ -138,6 +112,38 @@ void declare_cap(ParameterTable &table)
                    positive,
                    "p_b, where the cap meets the pressure axis, at the "
                    "hardening densities");
+}
+} // namespace
+
+void declare_elastic(ParameterTable &table)
+{
+  table.enter("Elastic");
+  table.quantity("Initial relative density",
+                 "0.6",
+                 dimension::number,
+                 a_density,
+                 "Of the powder at the start");
+  declare_elasticity(table);
+  table.leave();
+}
+
+void declare_cap(ParameterTable &table)
+{
+  table.enter("Drucker-Prager cap");
+  table.choice("Powder",
+               "mcc ph102",
+               {"mcc ph102", "agcusnin"},
+               "Whose tables hold where nothing else is given below: Avicel "
+               "PH-102 (the defaults that stand here) or the metal powder "
+               "AgCuSnIn (public tables after Zhou et al. 2017; angle, "
+               "eccentricity and elasticity linear between their ends)");
+  table.quantity("Initial relative density",
+                 "0.3411",
+                 dimension::number,
+                 a_density,
+                 "Of the powder at the start");
+  declare_elasticity(table);
+  declare_cap_tables(table);
   table.quantity("Transition",
                  "0",
                  dimension::number,
