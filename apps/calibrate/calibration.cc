@@ -8,6 +8,7 @@
 #include <numeric>
 #include <optional>
 #include <sstream>
+#include <stdexcept>
 
 namespace tamp::apps
 {
@@ -155,6 +156,11 @@ CalibrationRuns::evaluate(const std::vector<CalibrationPlace> &places,
   coupling::share_work(open, dies ? 1 : session_.threads(), [&](std::size_t k) {
     make(batch, k);
   });
+  if (failed_ == runs_ && !batch.problems.back().empty())
+    throw std::runtime_error(
+        fmt::format("all {} runs failed; of the last one: {}",
+                    runs_,
+                    batch.problems.back()));
   std::vector<Eigen::VectorXd> residuals;
   for (const CalibrationRun &run : batch.runs)
     residuals.push_back(run.residuals);
@@ -170,7 +176,7 @@ void CalibrationRuns::make(Batch &batch, std::size_t k)
     if (simulated.problem.empty()) {
       const auto found = targets_.residuals(simulated.curve);
       if (!found)
-        batch.problems[k] = "it does not come as far as the measured curve";
+        batch.problems[k] = targets_.reach(simulated.curve);
       else
         run.residuals = Eigen::Map<const Eigen::VectorXd>(
             found->data(), static_cast<Eigen::Index>(found->size()));

@@ -60,7 +60,8 @@ public:
                   std::size_t most_runs);
 
   /// See EvaluatePlaces. Throws SimulationInterrupted after a signal, when the
-  /// runs that had ended are in the file.
+  /// runs that had ended are in the file; std::runtime_error if all have
+  /// failed.
   std::vector<Eigen::VectorXd>
   evaluate(const std::vector<CalibrationPlace> &places, RunKind kind);
 

@@ -13,7 +13,9 @@ namespace
 constexpr double smallest_scale = 0.01; // of the peak
 constexpr double smallest_share = 0.05; // of the peak, in unloading
 constexpr std::size_t fewest = 5;
-constexpr double rounding = 1e-6; // of a density at the end of a path
+// At the end of a path: of a density; of the peak, twice what equilibrium of a
+// die leaves open.
+constexpr double rounding = 1e-6, balance = 2e-3;
 
 double recovered(const CompactionCurve &curve, const CompactionPoint &point)
 {
@@ -146,7 +148,7 @@ CurveTargets::simulated(const CompactionCurve &curve) const
     const auto &points = loading ? curve.loading : back;
     const auto found =
         loading ? crossing(points, density_of, target.place, rounding)
-                : crossing(points, share, target.place, 0);
+                : crossing(points, share, target.place, balance);
     if (!found)
       return {};
     values.push_back(found->of(points, [&](const CompactionPoint &point) {
@@ -173,6 +175,24 @@ CurveTargets::residuals(const CompactionCurve &curve) const
     for (std::size_t i = 0; i < targets_.size(); ++i)
       (*values)[i] = ((*values)[i] - targets_[i].value) / targets_[i].scale;
   return values;
+}
+
+std::string CurveTargets::reach(const CompactionCurve &curve) const
+{
+  if (curve.loading.empty())
+    return "it does not begin";
+  const CompactionPoint &peak = curve.peak();
+  const CompactionPoint &end =
+      curve.unloading.empty() ? peak : curve.unloading.back();
+  std::string words = fmt::format("it comes to a relative density of {:.5g}",
+                                  peak.relative_density);
+  std::string wanted = fmt::format("{:.5g}", largest_density_);
+  if (lowest_share_ > 0) {
+    words += fmt::format(" and back to {:.4g} % of its peak pressure",
+                         100 * end.axial / peak.axial);
+    wanted += fmt::format(" and {:.4g} %", 100 * lowest_share_);
+  }
+  return words + ", the measured curve to " + wanted;
 }
 
 double misfit_of(std::span<const double> residuals)

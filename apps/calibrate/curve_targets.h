@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace tamp::apps
@@ -56,6 +57,9 @@ public:
   /// The same as (simulated - measured) / scale.
   std::optional<std::vector<double>>
   residuals(const CompactionCurve &curve) const;
+  /// How far a curve comes that does not get there, and how far it should, in
+  /// words.
+  std::string reach(const CompactionCurve &curve) const;
 
 private:
   void take_loading(const CompactionCurve &measured, double start_density);

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # tamp calibrate finds parameters that are known, or says that the data cannot
 # tell; killed and resumed, or on other threads, it leaves the same bytes.
-# Usage: calibrate.sh TAMP cells|law|die|resume|refused
+# Usage: calibrate.sh TAMP cells|law|die|die_cells|resume|refused
 source "$(dirname "${BASH_SOURCE[0]}")/expect.sh"
 part=$2
 
@@ -150,6 +150,45 @@ END_OF_INPUT
     "$tamp" calibrate die.prm --with die --data truth/curve.csv -o fit \
       --no-plots -q --fit "$yield = 0.5 MPa .. 8 MPa"
     told fit "$yield" 2e6
+    ;;
+  # A die of cells, whose runs all start from the same packings; killed in the
+  # middle of a line and resumed it leaves the same bytes.
+  die_cells)
+    cat > die.prm << 'END_OF_INPUT'
+include granules.prm
+subsection Die
+  set Elements = 1, 1
+end
+subsection Schedule
+  set Stages = press to density 0.66; unload to 30 % of peak
+end
+END_OF_INPUT
+    plastic='Contact/Limiting contact pressure'
+    "$tamp" die die.prm -o truth --no-plots -q --set "$plastic = 80 MPa"
+    fit_cells() {
+      "$tamp" calibrate die.prm --with die --data truth/curve.csv --no-plots -q \
+        --fit "$plastic = 20 MPa .. 200 MPa" --runs 9 "$@"
+    }
+    fit_cells -o fit --threads 2
+    told fit "$plastic" 80e6
+    near fit "$plastic" 80e6 0.3
+    # The best run again, to the bit.
+    "$tamp" die fit/best.prm -o again --no-plots -q
+    peak=$(awk -F, '!/^#/ && $1 == 0 { p = $3 } END { print p }' fit/curve.csv)
+    grep -qF "$peak" again/run.json || fail "best.prm gives another peak"
+    mkdir killed
+    cp -r fit/{run.json,input.prm,log.txt,packings} killed
+    awk '/^#/ || n++ < 4 { print; next } { printf "%s", substr($0, 1, 30); exit }' \
+      fit/calibration.csv > killed/calibration.csv
+    fit_cells -o killed --threads 1 --resume
+    for file in calibration.csv best.prm curve.csv residuals.csv; do
+      cmp fit/$file killed/$file
+    done
+    grep -q 'going on after run 3' killed/log.txt ||
+      fail 'the runs in the file were made again'
+    # Data that its schedule does not reach.
+    expect 3 'back to' 'the measured curve to' -- fit_cells -o short \
+      --set 'Schedule/Stages = press to density 0.66; unload to 50 % of peak'
     ;;
   resume)
     "$tamp" probe law.prm -o truth --no-plots -q

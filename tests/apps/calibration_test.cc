@@ -136,10 +136,24 @@ TEST(CurveTargets, AreNotMetByACurveThatEndsBefore)
   CompactionCurve shorter = curve_of(1, 0.4, 0.02);
   shorter.unloading.resize(5);
   EXPECT_FALSE(targets.residuals(shorter));
+  EXPECT_EQ(targets.reach(shorter),
+            "it comes to a relative density of 0.8 and back to 75 % of its "
+            "peak pressure, the measured curve to 0.8 and 10 %");
   shorter.loading.resize(20);
   EXPECT_FALSE(targets.residuals(shorter));
   EXPECT_THROW(CurveTargets(curve_of(1, 0.4, 0.02), 0.79),
                std::invalid_argument);
+}
+
+TEST(CurveTargets, AreMetAsFarAsEquilibriumTellsTheEndOfUnloading)
+{
+  const CurveTargets targets(curve_of(1, 0.4, 0.02), 0.55);
+  CompactionCurve curve = curve_of(1, 0.4, 0.02);
+  const double end = curve.unloading.back().axial;
+  curve.unloading.back().axial = 1.01 * end; // by 1e-3 of the peak
+  EXPECT_TRUE(targets.residuals(curve));
+  curve.unloading.back().axial = 1.05 * end;
+  EXPECT_FALSE(targets.residuals(curve));
 }
 
 TEST(SurrogateSearch, FindsTheLeastSumOfSquaresInFewRuns)
