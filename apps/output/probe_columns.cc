@@ -58,6 +58,31 @@ std::vector<std::string> probe_header()
   return names;
 }
 
+std::vector<std::string> yield_header()
+{
+  return {"replica[-]",
+          "relative_density[-]",
+          "reached_pressure[Pa]",
+          "reached_deviatoric_stress[Pa]",
+          "branch[-]",
+          "criterion[-]",
+          "pressure[Pa]",
+          "deviatoric_stress[Pa]",
+          "plastic_volumetric_strain[-]",
+          "plastic_shear_strain[-]"};
+}
+
+std::vector<std::string> moduli_header()
+{
+  return {"replica[-]",
+          "relative_density[-]",
+          "pressure[Pa]",
+          "bulk_modulus[Pa]",
+          "shear_modulus[Pa]",
+          "Young_modulus[Pa]",
+          "Poisson_ratio[-]"};
+}
+
 std::vector<double> probe_values(const fem::PathRecord &record)
 {
   const SymmetricTensor stress = -record.response.stress;

@@ -18,6 +18,11 @@ std::vector<std::string> probe_header();
 /// The values, in the same order.
 std::vector<double> probe_values(const fem::PathRecord &record);
 
+/// Names of what is said of a branch to yield and of moduli, with units:
+/// columns of yield.csv and moduli.csv.
+std::vector<std::string> yield_header();
+std::vector<std::string> moduli_header();
+
 /// Appends the nine components, row by row, and their names: prefix "F_" gives
 /// "F_xx[-]", "F_xy[-]" ...
 void append_nine(const dealii::Tensor<2, 3> &tensor,

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <apps/input/units.h>
+#include <apps/output/probe_columns.h>
 #include <apps/probe/probe_scan.h>
 #include <coupling/unit_cell_points.h>
 #include <coupling/work_sharing.h>
@@ -59,24 +60,6 @@ std::vector<std::string> remarks(const ScanSettings &settings)
                     fem::words_of(plan[i].kind)));
   return lines;
 }
-
-const std::vector<std::string> yield_header{"replica[-]",
-                                            "relative_density[-]",
-                                            "reached_pressure[Pa]",
-                                            "reached_deviatoric_stress[Pa]",
-                                            "branch[-]",
-                                            "criterion[-]",
-                                            "pressure[Pa]",
-                                            "deviatoric_stress[Pa]",
-                                            "plastic_volumetric_strain[-]",
-                                            "plastic_shear_strain[-]"};
-const std::vector<std::string> moduli_header{"replica[-]",
-                                             "relative_density[-]",
-                                             "pressure[Pa]",
-                                             "bulk_modulus[Pa]",
-                                             "shear_modulus[Pa]",
-                                             "Young_modulus[Pa]",
-                                             "Poisson_ratio[-]"};
 } // namespace
 
 /// The state of a listed density, and what is known of it.
@@ -101,9 +84,9 @@ ProbeScan::ProbeScan(RunSession &session,
   if (!settings_.on() || session.resumes())
     return;
   const auto folder = session.folder().path();
-  yield_.emplace(folder / "yield.csv", yield_header, remarks(settings_));
+  yield_.emplace(folder / "yield.csv", yield_header(), remarks(settings_));
   moduli_.emplace(folder / "moduli.csv",
-                  moduli_header,
+                  moduli_header(),
                   std::vector<std::string>{
                       "compression is positive; unloaded and loaded again by "
                       "strains of " +
@@ -159,8 +142,8 @@ void ProbeScan::go_on(fem::StateBytes &stored)
   stored.take(points_);
   stored.take(lost_);
   const auto folder = session_.folder().path();
-  yield_.emplace(folder / "yield.csv", yield_header.size(), yield_size);
-  moduli_.emplace(folder / "moduli.csv", moduli_header.size(), moduli_size);
+  yield_.emplace(folder / "yield.csv", yield_header().size(), yield_size);
+  moduli_.emplace(folder / "moduli.csv", moduli_header().size(), moduli_size);
   before_.clear();
   material_.points->pack(0, before_);
 }

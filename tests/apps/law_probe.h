@@ -94,25 +94,8 @@ public:
       : law_(law), probe_(probe), state_(law.initial_state()),
         folder_((std::filesystem::create_directories(folder), folder)),
         curve_(folder / "curve.csv", probe_header()),
-        yields_(folder / "yield.csv",
-                {"replica[-]",
-                 "relative_density[-]",
-                 "reached_pressure[Pa]",
-                 "reached_deviatoric_stress[Pa]",
-                 "branch[-]",
-                 "criterion[-]",
-                 "pressure[Pa]",
-                 "deviatoric_stress[Pa]",
-                 "plastic_volumetric_strain[-]",
-                 "plastic_shear_strain[-]"}),
-        moduli_(folder / "moduli.csv",
-                {"replica[-]",
-                 "relative_density[-]",
-                 "pressure[Pa]",
-                 "bulk_modulus[Pa]",
-                 "shear_modulus[Pa]",
-                 "Young_modulus[Pa]",
-                 "Poisson_ratio[-]"})
+        yields_(folder / "yield.csv", yield_header()),
+        moduli_(folder / "moduli.csv", moduli_header())
   {
     record_.F = dealii::unit_symmetric_tensor<3>();
     auto scan = probe.scans.begin();
