@@ -35,8 +35,11 @@ void CalibrationFile::read()
   std::ifstream in(file_, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   std::istringstream lines(text.substr(0, text.rfind('\n') + 1));
+  const std::size_t others = first_columns + parameters_.size() + 1;
   std::size_t remark = 0;
+  unsigned number = 0;
   for (std::string line; std::getline(lines, line);) {
+    ++number;
     if (line.starts_with("#") || remark < remarks_.size()) {
       const std::string expected =
           remark < remarks_.size() ? "# " + remarks_[remark] : "";
@@ -50,23 +53,28 @@ void CalibrationFile::read()
             expected));
       ++remark;
     } else if (residuals_ == 0) {
-      const std::size_t others = first_columns + parameters_.size() + 1;
       const std::size_t columns = fields_of(line).size();
       residuals_ = columns - std::min(columns, others);
     } else {
       CalibrationRun run;
       const auto fields = fields_of(line);
+      if (fields.size() != others + residuals_)
+        throw InputError(fmt::format(
+            "--resume: {}:{}: expected {} values, as in the header, not {}",
+            file_.string(),
+            number,
+            others + residuals_,
+            fields.size()));
       run.kind = static_cast<RunKind>(number_of(fields[1]).value_or(1));
       run.packing = static_cast<unsigned>(number_of(fields[2]).value_or(0));
       for (std::size_t k = 0; k < parameters_.size(); ++k)
         run.values.push_back(
             number_of(fields[first_columns + k]).value_or(nothing));
-      const std::size_t begin = first_columns + parameters_.size() + 1;
-      if (number_of(fields[begin - 1])) {
+      if (number_of(fields[others - 1])) {
         run.residuals.resize(static_cast<Eigen::Index>(residuals_));
         for (std::size_t k = 0; k < residuals_; ++k)
           run.residuals[static_cast<Eigen::Index>(k)] =
-              number_of(fields[begin + k]).value_or(nothing);
+              number_of(fields[others + k]).value_or(nothing);
       }
       runs_.push_back(run);
     }

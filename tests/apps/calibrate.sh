@@ -226,6 +226,9 @@ END_OF_INPUT
       --set 'Material/Modified Cam-Clay/Swelling index = 0.1'
     expect 2 'run.json' -- fit_law -o nowhere --resume
     cmp before.json killed/run.json
+    # A line that lacks values is named.
+    awk '/^2,/ { $0 = "2,1" } 1' whole/calibration.csv > killed/calibration.csv
+    expect 2 'calibration.csv:8: expected' -- fit_law -o killed --resume
     ;;
   refused)
     "$tamp" probe law.prm -o truth --no-plots -q
