@@ -15,6 +15,18 @@ fail() {
   echo "FAILED: $*"
   exit 1
 }
+# result FOLDER NAME: a key result, named with its unit.
+result() {
+  awk -F'": ' -v name="    \"$2" '
+    $1 == name { sub(",", "", $2); print $2; found = 1 }
+    END { exit !found }' "$1/run.json" || fail "$1/run.json has no $2"
+}
+# near VALUE WANTED SHARE: not farther off than this share.
+near() {
+  awk -v a="$1" -v b="$2" -v share="$3" '
+    BEGIN { d = a / b - 1; exit !(a != "" && d <= share && -d <= share) }' ||
+    fail "$1 is not within $3 of $2"
+}
 # has FILE...: all are there and not empty.
 has() {
   for name in "$@"; do

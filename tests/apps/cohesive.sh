@@ -33,19 +33,15 @@ end
 END
 
 "$tamp" die die.prm -o free > out.txt 2> err.txt || { cat err.txt; fail "exit code $?"; }
-# result NAME: its value.
-result() {
-  sed -n "s/^ *\"$1\": \([^,]*\),*$/\1/p" free/run.json
-}
-peak=$(result 'peak_upper_force\[N\]')
-for name in 'residual_wall_pressure_after_unloading\[Pa\]' \
-  'axial_spring_back\[m\]' 'peak_ejection_force\[N\]' \
-  'axial_spring_back_ejected\[-\]' 'radial_spring_back\[-\]'; do
-  awk -v x="$(result "$name")" 'BEGIN { exit !(x > 0) }' ||
+peak=$(result free 'peak_upper_force[N]')
+for name in 'residual_wall_pressure_after_unloading[Pa]' \
+  'axial_spring_back[m]' 'peak_ejection_force[N]' \
+  'axial_spring_back_ejected[-]' 'radial_spring_back[-]'; do
+  awk -v x="$(result free "$name")" 'BEGIN { exit !(x > 0) }' ||
     fail "$name is not above 0"
 done
 # What is left is unbalanced: 1e-3 of reactions that count as 10 % of the peak.
-awk -v x="$(result 'remaining_tool_force\[N\]')" -v peak="$peak" \
+awk -v x="$(result free 'remaining_tool_force[N]')" -v peak="$peak" \
   'BEGIN { exit !(x <= 2e-4 * peak) }' || fail "a tool still bears a force"
 
 for stages in 'unload to nothing' 'eject to rim freely' \

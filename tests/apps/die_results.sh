@@ -20,11 +20,6 @@ subsection Output
 end
 END
 
-# result FOLDER NAME: a key result; fails if there is none.
-result() {
-  awk -F'": ' -v name="    \"$2" '$1 == name { sub(",", "", $2); print $2; found = 1 }
-    END { exit !found }' "$1/run.json" || fail "$1/run.json lacks $2"
-}
 # column FOLDER NAME: the largest value of a column of the curve.
 column() {
   awk -F, -v name="$2" '/^#/ { next }

@@ -22,10 +22,6 @@ end
 END_OF_INPUT
 run() { "$tamp" die die.prm -q --no-plots "$@"; }
 look() { "$tamp" inspect "$@" -q --no-plots; }
-# result FOLDER NAME: a key result.
-result() {
-  grep -F "\"$2\"" "$1/run.json" | sed 's/.*: //; s/,$//'
-}
 # columns FILE: what was recorded of a point, characters untouched.
 columns() {
   awk -F, '/^#/ { next }

@@ -21,12 +21,6 @@ value() {
   awk -F': ' -v name="\"$2[" 'index($1, name) { sub(/,$/, "", $2); print $2 }' \
     "$1/run.json"
 }
-# near VALUE WANTED RELATIVE
-near() {
-  awk -v a="$1" -v b="$2" -v r="$3" \
-    'BEGIN { d = (a - b) / b; exit !(a != "" && d * d <= r * r) }' ||
-    fail "$1 is not within $3 of $2"
-}
 
 # Replicas: all files, seeds of their own, the same again.
 pack -o three --set 'Packing/Replicas = 3'
