@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace tamp::dem
@@ -62,17 +63,26 @@ struct Driving {
   void check() const;
 };
 
-/// A start for the relaxation: where the grains of the last trial of the same
-/// step came to rest. A value of the caller's, empty at the start of a step;
-/// never kept from a cell that did not settle.
+/// What the contacts of a cell say at the start of a step.
+struct StepStart {
+  Eigen::Matrix3d stress = Eigen::Matrix3d::Zero(); ///< tension positive [Pa]
+  double plastic_loss = 0;                          ///< of the normal laws [J]
+};
+
+/// What trials of the same step hand on: where the grains of the last one came
+/// to rest, which starts the relaxation, and what all of them start from. A
+/// value of the caller's, cleared at the start of a step; no motion is ever
+/// kept from a cell that did not settle.
 struct WarmGuess {
-  std::vector<double> motion;  ///< non-affine motion and rotation, 6 a grain
-  double predictor_scale = -1; ///< frozen within a step; negative: not set
+  std::vector<double> motion;     ///< non-affine motion and rotation, 6 a grain
+  double predictor_scale = -1;    ///< frozen within a step; negative: not set
+  std::optional<StepStart> start; ///< of the committed cell; none: not set
   bool empty() const { return motion.empty(); }
   void clear()
   {
     motion.clear();
     predictor_scale = -1;
+    start.reset();
   }
 };
 

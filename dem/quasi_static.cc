@@ -59,7 +59,7 @@ public:
   CellAnswer relax();
 
   /// Writes the state into the cell.
-  void adopt(CellAnswer &answer);
+  void adopt(CellAnswer &answer, const StepStart &start);
 
   /// Displacement and radius x rotation of every grain [m].
   std::vector<double> motion() const;
@@ -189,16 +189,13 @@ CellAnswer Increment<T>::relax()
 }
 
 template <class T>
-void Increment<T>::adopt(CellAnswer &answer)
+void Increment<T>::adopt(CellAnswer &answer, const StepStart &start)
 {
-  const ContactSurvey before = survey_contacts(cell_);
-  const Matrix3 old_stress =
-      love_weber_stress(before.forces, cell_.box.volume());
   const double old_volume = cell_.box.volume();
   const std::size_t old_contacts = cell_.contacts.size();
   layout_.read_memories(cell_); // without pairs that have parted for good
   const double old_loss = cell_.contacts.size() == old_contacts
-                              ? before.plastic_loss
+                              ? start.plastic_loss
                               : survey_contacts(cell_).plastic_loss;
   const SweepTotals totals = layout_.sweep(affine_, {Memory::written});
   cell_.box = box_;
@@ -212,13 +209,20 @@ void Increment<T>::adopt(CellAnswer &answer)
       cell_, after.forces, back_, cell_.last.motion, after.elastic_energy);
   cell_.energy.work +=
       0.25 * (old_volume + cell_.box.volume()) *
-      ((old_stress + answer.stress).array() * log_stretch_.array()).sum();
+      ((start.stress + answer.stress).array() * log_stretch_.array()).sum();
   cell_.energy.friction_dissipation += totals.lost_work;
   cell_.energy.adhesion_dissipation += totals.adhesion_loss;
   // Where grains grow the loss is what the work leaves, see step().
   if (!grains_grow(cell_))
     cell_.energy.plastic_dissipation +=
         after.plastic_loss - old_loss + totals.forgotten_loss;
+}
+
+StepStart start_of(const UnitCell &cell)
+{
+  const ContactSurvey survey = survey_contacts(cell);
+  return {love_weber_stress(survey.forces, cell.box.volume()),
+          survey.plastic_loss};
 }
 
 /// One increment with or without a guess.
@@ -246,8 +250,10 @@ CellAnswer step_in(UnitCell &cell,
   if (answer.outcome == Outcome::diverged && guessed) {
     // After an avalanche a guess throws grains into each other: do without.
     cell.last = {};
-    if (guess)
-      *guess = {{}, 0};
+    if (guess) {
+      guess->motion.clear();
+      guess->predictor_scale = 0;
+    }
     CellAnswer again = step_in<T>(cell, stretch, settings, arithmetic, guess);
     again.evaluations += answer.evaluations;
     return again;
@@ -258,8 +264,13 @@ CellAnswer step_in(UnitCell &cell,
     else
       guess->motion.clear();
   }
-  if (answer.outcome != Outcome::diverged)
-    increment.adopt(answer);
+  if (answer.outcome != Outcome::diverged) {
+    const StepStart start =
+        guess && guess->start ? *guess->start : start_of(cell);
+    if (guess)
+      guess->start = start;
+    increment.adopt(answer, start);
+  }
   return answer;
 }
 

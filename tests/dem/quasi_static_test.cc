@@ -172,6 +172,32 @@ TEST(QuasiStatic, EmptyGuessIsNoGuess)
   EXPECT_EQ(with, without);
 }
 
+TEST(QuasiStatic, ClearedGuessIsNoGuess)
+{
+  UnitCell with = jammed_cell();
+  WarmGuess guess;
+  deform(with, uniaxial(-2e-3), {}, &guess);
+  UnitCell without = with;
+  guess.clear();
+  deform(with, uniaxial(-2e-3), {}, &guess);
+  deform(without, uniaxial(-2e-3), {});
+  EXPECT_EQ(with, without); // the work that was done, too
+}
+
+TEST(QuasiStatic, TrialsWithAGuessBookTheWorkOfTrialsWithout)
+{
+  const UnitCell committed = jammed_cell();
+  WarmGuess guess;
+  UnitCell first = committed, warm = committed, cold = committed;
+  deform(first, uniaxial(-2e-3), {}, &guess);
+  deform(warm, uniaxial(-1e-3), {}, &guess);
+  deform(cold, uniaxial(-1e-3), {});
+  const double work = cold.energy.work - committed.energy.work;
+  EXPECT_NEAR(warm.energy.work - committed.energy.work,
+              work,
+              0.005 * work); // stresses are as near, see above
+}
+
 TEST(QuasiStatic, CellThatDoesNotSettleSaysSoAndKeepsNoGuess)
 {
   UnitCell cell = jammed_cell();
