@@ -3,6 +3,7 @@
 #include <fem/laws/continuum_points.h>
 #include <fem/laws/drucker_prager_cap.h>
 #include <fem/path_driver.h>
+#include <tests/fem/laws/random_paths.h>
 
 #include <deal.II/base/tensor.h>
 
@@ -10,7 +11,6 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
-#include <random>
 #include <set>
 #include <stdexcept>
 
@@ -309,30 +309,10 @@ TEST(DruckerPragerCap, RandomPathsStayFiniteAndInside)
     parameters.transition = transition;
     auto points = one_point(parameters);
     const auto start = points.state(0);
-    std::mt19937 random(20240517);
-    std::uniform_real_distribution<double> uniform(-1, 1);
-    std::vector<char> fresh;
-    points.pack(0, fresh);
-    std::vector<Response> answer(1);
-    for (unsigned step = 0; step < 10000; ++step) {
-      if (step % 50 == 0)
-        points.unpack(0, fresh); // a new path, densities from 0.34 to 1
-      // A drift, mostly compression, that changes from path to path.
-      const double size = std::pow(10, -2.5 + 1.2 * uniform(random)) / 3;
-      std::vector<Deformation> increment(1);
-      auto &F = increment[0].relative_F;
-      F = dealii::Tensor<2, 3>(dealii::unit_symmetric_tensor<3>());
-      const double drift = step / 50 % 3 == 0 ? 0 : -0.6;
-      for (unsigned i = 0; i < 3; ++i)
-        for (unsigned j = 0; j < 3; ++j)
-          F[i][j] += size * (uniform(random) + (i == j ? drift : 0));
-      points.evaluate(increment, Want::stress_and_tangent, answer);
-      ASSERT_NE(answer[0].status, Status::failed) << "step " << step;
-      ASSERT_TRUE(std::isfinite(answer[0].stress.norm())) << step;
-      ASSERT_TRUE(std::isfinite(answer[0].tangent.norm())) << step;
-      points.commit();
-      ASSERT_LE(points.law().yield(points.state(0)), yield_tolerance) << step;
-    }
+    // Densities from 0.34 to 1.
+    test::follow_random_paths(points, {.paths = 200}, [&] {
+      EXPECT_LE(points.law().yield(points.state(0)), yield_tolerance);
+    });
     EXPECT_NE(points.state(0).stress, start.stress);
   }
 }

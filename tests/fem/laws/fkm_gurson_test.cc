@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <fem/laws/fkm_gurson.h>
+#include <tests/fem/laws/random_paths.h>
 #include <tests/fem/laws/rate_reference.h>
 
 #include <algorithm>
@@ -8,7 +9,6 @@
 #include <gtest/gtest.h>
 #include <iostream>
 #include <numbers>
-#include <random>
 #include <stdexcept>
 
 namespace tamp::fem
@@ -307,33 +307,15 @@ TEST(FkmGurson, RandomPathsStayFiniteAndInside)
     FkmGursonParameters c;
     c.initial_relative_density = density;
     auto points = one_point(c);
-    std::mt19937 random(20240517);
-    std::uniform_real_distribution<double> uniform(-1, 1);
-    std::vector<char> fresh;
-    points.pack(0, fresh);
-    std::vector<Response> answer(1);
-    for (unsigned step = 0; step < 200; ++step) {
-      if (step % 10 == 0)
-        points.unpack(0, fresh);
-      const double size = std::pow(10, -3 + 1.2 * uniform(random)) / 3;
-      std::vector<Deformation> increment(1);
-      auto &F = increment[0].relative_F;
-      F = dealii::Tensor<2, 3>(dealii::unit_symmetric_tensor<3>());
-      const double drift = step / 10 % 3 == 0 ? 0 : -0.3;
-      for (unsigned i = 0; i < 3; ++i)
-        for (unsigned j = 0; j < 3; ++j)
-          F[i][j] += size * (uniform(random) + (i == j ? drift : 0));
-      points.evaluate(increment, Want::stress_and_tangent, answer);
-      ASSERT_NE(answer[0].status, Status::failed) << density << ' ' << step;
-      ASSERT_TRUE(std::isfinite(answer[0].tangent.norm())) << step;
-      points.commit();
+    const test::RandomPaths paths{20, 10, -3, 0.3};
+    test::follow_random_paths(points, paths, [&] {
       // The return is polished to 1e-11, rotation adds rounding.
       const auto &state = points.state(0);
-      ASSERT_LE(
+      EXPECT_LE(
           points.law().surface(state.porosity).yield(p_of(state), q_of(state)),
           1e-9)
-          << step;
-    }
+          << density;
+    });
   }
 }
 
