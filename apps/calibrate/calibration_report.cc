@@ -80,7 +80,6 @@ plot "../measured.csv" using (column("relative_density[-]")):(positive(column("a
                          R"(set title "What the simulation misses"
 set xlabel "number in residuals.csv"
 set ylabel "(simulated - measured) / scale [%]"
-set key bmargin
 kind(k) = column("kind") == k ? 100 * column("residual[-]") : NaN
 plot 0 with lines linecolor rgb "#888888" linewidth 1 notitle, \
      "../residuals.csv" using (column("residual")):(kind(0)) with points pointsize 1.2 linetype 1 title "axial pressure, loading", \

@@ -34,7 +34,7 @@ set format y "%g"
 density = "mean_relative_density[-]"
 stats "../curve.csv" using (column("upper_pressure[Pa]") > column("lower_pressure[Pa]") ? column("upper_pressure[Pa]") : column("lower_pressure[Pa]")) nooutput
 most = STATS_max / 1e6
-if (most > 0) set yrange [most / 1000:*]
+if (most > 0) set yrange [most / 1000 < *:*]
 mega(name) = ({}) && column(name) > 0 ? column(name) / 1e6 : NaN
 plot "../curve.csv" using (column(density)):(mega("upper_pressure[Pa]")) with lines title "upper punch", \
      "" using (column(density)):(mega("lower_pressure[Pa]")) with lines dashtype 2 title "lower punch"
@@ -108,12 +108,12 @@ Plot ejection(const DiePlotFacts &facts)
   return {"ejection",
           fmt::format(R"(set title "Ejection"
 set xlabel "travel of the compact in the die [mm]"
-set ylabel "force [kN]"
+set ylabel "force [N]"
 set yrange [0:*]
 travel(x) = ({}) && x > 0 ? x * 1e3 : NaN
 lift(x) = column("lower_displacement[m]") - column("die_displacement[m]") - {}
-plot "../curve.csv" using (travel(lift(0))):(column("lower_force[N]") / 1e3) with lines title "lower punch", \
-     "" using (travel(lift(0))):(column("upper_force[N]") / 1e3) with lines title "upper punch"
+plot "../curve.csv" using (travel(lift(0))):(column("lower_force[N]")) with lines title "lower punch", \
+     "" using (travel(lift(0))):(column("upper_force[N]")) with lines title "upper punch"
 )",
                       of(facts.eject_stages),
                       facts.peak_lift)};

@@ -148,20 +148,22 @@ set cblabel "{}"
 set size ratio -1
 set autoscale xfix
 set autoscale yfix
+decade(length) = 10 ** floor(log10(length))
+apart(length) = length <= 0 ? 1 : decade(length) * (length > 4.5 * decade(length) ? 2 : length > 2 * decade(length) ? 1 : 0.5)
 stats table using 1 name "radius" nooutput
-decade = radius_max > 0 ? 10 ** floor(log10(radius_max)) : 1
-apart = decade * (radius_max > 4 * decade ? 2 : radius_max > 2 * decade ? 1 : 0.5)
-set xtics apart
-set ytics apart
+stats table using 2 name "height" nooutput
+set xtics apart(radius_max)
+set ytics apart(height_max - height_min)
 set border 0
 unset grid
 unset key
 set pm3d map corners2color c1
-{}set colorbox horizontal user origin screen 0.21, screen 0.16 size screen 0.68, screen 0.03
+{}set cbtics font ",18"
+set colorbox horizontal user origin screen 0.21, screen 0.16 size screen 0.68, screen 0.03
 set lmargin at screen 0.17
 set rmargin at screen 0.93
 set tmargin at screen 0.90
-set bmargin at screen 0.32
+set bmargin at screen 0.36
 # Lines of the same colour close the seams between the parts.
 splot table using 1:2:3 with pm3d, table using 1:2:3 with lines linewidth 1 linecolor palette
 )",

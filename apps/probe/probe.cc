@@ -103,9 +103,11 @@ private:
     scan_.give();
     if (now_.doubtful > 0)
       session_.warn(fmt::format(
-          "the answers of {} steps were doubtful: grains did not settle within "
-          "Cell/Maximum evaluations, or a law was asked beyond its tables",
-          now_.doubtful));
+          "doubtful answers in {} of the steps: {}",
+          now_.doubtful,
+          material_.cells
+              ? "grains did not settle within Cell/Maximum evaluations"
+              : "the law was asked beyond its tables"));
   }
 
   std::vector<std::string> header() const

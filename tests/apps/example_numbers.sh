@@ -1,46 +1,68 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
-# What the READMEs of quick examples say comes out, at full size.
-# Usage: example_numbers.sh TAMP
+# The README of an example tells the truth: the commands under its heading
+# "Numbers that a test checks" leave the key results in the table behind each.
+# Usage: example_numbers.sh TAMP EXAMPLE
 source "$(dirname "${BASH_SOURCE[0]}")/begin.sh"
+example=$2
 
-# result FOLDER NAME VALUE OFF: the key result is VALUE within OFF.
-result() {
-  awk -v name="\"$2\":" -v wanted="$3" -v off="$4" '
-    $1 == name { x = $2 + 0; found = 1 }
-    END { print name, x
-      exit !(found && x - wanted <= off && wanted - x <= off) }' \
-    "$1/run.json" || fail "$1: expected $2 = $3 within $4"
+mkdir -p apps/examples
+"$tamp" examples copy "$example" apps/examples > out.txt
+
+# command_N and table_N: what is to be run, and "name value share" that come out.
+awk '
+  /^## / { checked = /^## Numbers that a test checks$/ }
+  !checked { next }
+  /^    / {
+    if (!running) number++
+    running = 1
+    print > ("command_" number)
+    next
+  }
+  { running = 0 }
+  /^\| `/ {
+    if (split($0, cell, "|") != 5 || cell[4] !~ /^ *[0-9.]+ % *$/) {
+      print "not a line of the table: " $0
+      bad = 1
+      next
+    }
+    gsub(/^ *`|` *$/, "", cell[2])
+    print cell[2] "|" cell[3] + 0 "|" cell[4] / 100 > ("table_" number)
+    found++
+  }
+  END { exit bad || !found }' "apps/examples/$example/README.md" ||
+  fail "the README has no numbers to be checked"
+
+# As users type it, but with the program under test, without words and plots.
+program=$(realpath "$tamp")
+export program
+tamp() {
+  "$program" "$@" -q --no-plots
 }
-run() {
-  "$tamp" examples run "$1" -o "$1" > out.txt 2> err.txt ||
-    { cat out.txt err.txt; fail "the example $1"; }
-}
+export -f tamp
 
-# Off by half of the last digit that the READMEs print, and by 1e-3 of the force,
-# to which the die is balanced.
-run die_default_dpc
-result die_default_dpc 'peak_upper_pressure[Pa]' 52.7e6 0.1e6
-result die_default_dpc 'peak_lower_pressure[Pa]' 49.5e6 0.1e6
-result die_default_dpc 'minimum_relative_density_at_peak[-]' 0.810 1e-3
-result die_default_dpc 'maximum_relative_density_at_peak[-]' 0.884 1e-3
-result die_default_dpc 'residual_wall_pressure_after_unloading[Pa]' 14.9e6 0.07e6
-result die_default_dpc 'peak_ejection_force[N]' 558 1
-result die_default_dpc 'axial_spring_back[m]' 55e-6 0.6e-6
-
-# Tables end in free ejection over a sharp rim: the path of its steps, 2 of which
-# are cut, moves the ejection force by a few tenths of a per cent.
-run agcusnin_compact
-result agcusnin_compact 'peak_upper_force[N]' 11113.57 11.2
-result agcusnin_compact 'peak_lower_force[N]' 10524.2 10.6
-result agcusnin_compact 'peak_ejection_force[N]' 330.7 2
-result agcusnin_compact 'axial_spring_back_ejected[-]' 3.1e-3 6e-5
-result agcusnin_compact 'radial_spring_back[-]' 6.9e-4 2e-5
-
-# The same grains on every machine but for rounding, which packing makes larger:
-# three times the scatter of packings over the root of three.
-run pack_granules
-result pack_granules 'relative_density[-]' 0.6025 0.0045
-result pack_granules 'mechanical_coordination_number[-]' 5.44 0.03
-result pack_granules 'lateral_over_axial_stress[-]' 0.528 0.027
+for command in command_*; do
+  cat "$command"
+  bash -e "$command" || fail "the command"
+  # That of the run, not of its parts.
+  run=$(find . -name run.json -printf '%d %p\n' | sort -n | head -n 1)
+  awk -F'|' -v file="${run#* }" '
+    BEGIN {
+      while ((getline line < file) > 0)
+        if (match(line, /^ *"[^"]*": /)) {
+          name = substr(line, 1, RLENGTH - 3)
+          sub(/^ *"/, "", name)
+          result[name] = substr(line, RLENGTH + 1) + 0
+        }
+    }
+    {
+      off = result[$1] - $2
+      wrong = !($1 in result) || off * off > ($3 * $2)^2
+      print (wrong ? "  WRONG " : "  ") $1 ": " result[$1] ", README: " $2
+      bad += wrong
+    }
+    END { exit bad > 0 }' "table_${command#command_}" ||
+    fail "not what the README says"
+  rm -rf results "apps/examples/$example/results"
+done
 echo "all well"
