@@ -143,7 +143,7 @@ Plot cap_tables_plot()
           "\nset xtics 0.1\nset tics font \",14\"\n" +
               "guess(name) = column(\"cohesion_extrapolated[-]\") == 1 ? "
               "column(name) * 1e-6 : NaN\n"s +
-              panel("cohesion d [MPa], open: a guess",
+              panel("d [MPa] (open: a guess)",
                     "cohesion",
                     "Pa",
                     "1e-6",
