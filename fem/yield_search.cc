@@ -14,7 +14,7 @@ using SymmetricTensor = dealii::SymmetricTensor<2, 3>;
 
 // See YieldSearch::ended().
 constexpr double fall = 0.98, growth = 1.01, plateau = 0.01;
-constexpr double other_density = 0.01;
+constexpr double largest_compaction = 0.01, largest_dilation = 0.05;
 
 SymmetricTensor logarithmic_strain(const dealii::Tensor<2, 3> &F)
 {
@@ -105,7 +105,8 @@ bool YieldSearch::ended() const
 {
   return peaked() || critical() ||
          (!entries_.empty() &&
-          std::abs(entries_.back().compaction) > other_density);
+          (entries_.back().compaction > largest_compaction ||
+           entries_.back().compaction < -largest_dilation));
 }
 
 YieldPoint YieldSearch::point(YieldCriterion criterion,

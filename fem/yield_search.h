@@ -55,8 +55,9 @@ public:
   bool yielded() const;
   /// Whether the path need not go on: the deviatoric stress has fallen by 2 %
   /// from its peak, or grew by less than 1 % over a shear strain of 1 %, or the
-  /// plastic volumetric strain is above 1 %, so that the state is that of
-  /// another density.
+  /// density is another: plastic compaction is above 1 %, which hardens the
+  /// powder, or dilation above 5 %. Dense grains under low pressure dilate by 1
+  /// to 4 % on their way to the peak.
   bool ended() const;
   /// What was found: at most one point for each criterion, in their order.
   /// @param with_peak  whether a largest deviatoric stress means anything

@@ -17,6 +17,12 @@ namespace
 /// The least cohesion over p_b: without any, the surface would end in a point
 /// without strength at zero stress, which is where a compact's free faces are.
 constexpr double least_cohesion = 1e-3;
+/// Shear points above this share of p_b say little of d, as the line of failure
+/// bends.
+constexpr double far_from_axis = 0.2;
+/// Tables begin so far below the start: a powder without stress dilates a
+/// little before it compacts.
+constexpr double room_below = 0.99;
 constexpr std::size_t fewest_levels = 3;
 constexpr unsigned hardening_rows = 40;
 
@@ -78,10 +84,7 @@ public:
     find_hardening();
     take_yield_pressures();
     raise_cohesion();
-    for (CapLevel &level : fit_.levels)
-      level.shear_residual = residual_of(
-          {level.value.cohesion, std::tan(level.value.friction_angle), false},
-          level.shear_points);
+    judge_lines();
     make_law();
     return std::move(fit_);
   }
@@ -211,26 +214,61 @@ private:
                       least_cohesion));
   }
 
+  void judge_lines()
+  {
+    std::vector<double> extrapolated;
+    for (CapLevel &level : fit_.levels) {
+      const auto &points = level.shear_points;
+      level.shear_residual = residual_of(
+          {level.value.cohesion, std::tan(level.value.friction_angle), false},
+          points);
+      level.cohesion_error = cohesion_error(points);
+      level.cohesion_extrapolated =
+          std::ranges::min(points, {}, &StressPoint::p).p >
+          far_from_axis * level.value.yield_pressure;
+      if (level.cohesion_extrapolated)
+        extrapolated.push_back(level.density);
+    }
+    if (!extrapolated.empty())
+      fit_.remarks.push_back(fmt::format(
+          "the cohesion of {} of {} densities, the lowest {:.4g}, is a guess: "
+          "their shear points are above {} p_b, and the line of failure bends "
+          "(cohesion_extrapolated in fit.csv); scan smaller "
+          "Scan/Compression shares",
+          extrapolated.size(),
+          fit_.levels.size(),
+          extrapolated.front(),
+          far_from_axis));
+  }
+
   // Scans begin later than paths. The law starts where these do: only so are
-  // its elastic strains at the first level those of the probes.
+  // its elastic strains at the first level those of the probes. Its tables
+  // begin a little below.
   void begin_tables(coupling::CapChoice &law)
   {
-    const HardeningRow &first = fit_.hardening.front();
-    const CapLevel &level = fit_.levels.front();
-    law.initial_relative_density = std::max(first.density, level.density);
-    if (!(first.density < level.density))
-      return;
+    const HardeningRow &first = fit_.hardening[0], &second = fit_.hardening[1];
+    const double power = std::log(second.pressure / first.pressure) /
+                         std::log(second.density / first.density);
+    const HardeningRow below{room_below * first.density,
+                             first.pressure * std::pow(room_below, power)};
+    law.hardening_density.push_back(below.density);
+    law.hydrostatic_yield.push_back(below.pressure);
     law.initial_relative_density = first.density;
-    law.relative_density.push_back(first.density);
-    law.cohesion.push_back(level.value.cohesion * first.pressure /
-                           level.value.yield_pressure);
-    law.friction_angle.push_back(level.value.friction_angle);
-    law.cap_eccentricity.push_back(level.value.eccentricity);
-    const auto [E, nu] = samples_.elasticity(first.density);
-    law.elasticity.relative_density.push_back(first.density);
-    law.elasticity.youngs_modulus.push_back(
-        std::min(E, level.value.youngs_modulus));
-    law.elasticity.poissons_ratio.push_back(nu);
+    const CapLevel &level = fit_.levels.front();
+    for (const HardeningRow &row : {below, first}) {
+      if (!(row.density < level.density))
+        continue;
+      law.relative_density.push_back(row.density);
+      law.cohesion.push_back(level.value.cohesion * row.pressure /
+                             level.value.yield_pressure);
+      law.friction_angle.push_back(level.value.friction_angle);
+      law.cap_eccentricity.push_back(level.value.eccentricity);
+      const auto [E, nu] = samples_.elasticity(row.density);
+      law.elasticity.relative_density.push_back(row.density);
+      law.elasticity.youngs_modulus.push_back(
+          std::min(E, level.value.youngs_modulus));
+      law.elasticity.poissons_ratio.push_back(nu);
+    }
   }
 
   void make_law()

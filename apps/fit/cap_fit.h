@@ -34,6 +34,11 @@ struct CapLevel {
   CapValues mean;      ///< of the replicas, before smoothing
   CapValues deviation; ///< of one replica, with N - 1; zero of a single one
   double shear_residual = 0; ///< rms of shear points about the line [-]
+  /// Standard error of d from the scatter of the shear points of all replicas
+  /// about their line [Pa]; zero if they are too few.
+  double cohesion_error = 0;
+  /// The shear points begin so far from the axis that d is extrapolated.
+  bool cohesion_extrapolated = false;
   /// Plastic compaction over shear measured along the uniaxial path [-].
   double plastic_ratio = 0;
   /// R if that ratio is taken as 3/2: no lateral plastic strain [-].

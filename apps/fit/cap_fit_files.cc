@@ -33,7 +33,10 @@ std::vector<std::string> table_header()
     for (const char *suffix : {"", "_unsmoothed", "_deviation"})
       names.push_back(
           fmt::format("{}{}[{}]", column.name, suffix, column.unit));
-  for (const char *name : {"shear_residual[-]",
+  for (const char *name : {"cohesion_error[Pa]",
+                           "cohesion_extrapolated[-]",
+                           "shear_points[-]",
+                           "shear_residual[-]",
                            "plastic_strain_ratio[-]",
                            "rigid_cap_eccentricity[-]",
                            "uniaxial_yield_pressure[Pa]",
@@ -52,7 +55,10 @@ std::vector<double> table_line(const CapLevel &level)
     for (const CapValues *kind : {&level.value, &level.mean, &level.deviation})
       values.push_back(kind->*column.field);
   values.insert(values.end(),
-                {level.shear_residual,
+                {level.cohesion_error,
+                 double(level.cohesion_extrapolated),
+                 double(level.shear_points.size()),
+                 level.shear_residual,
                  level.plastic_ratio,
                  level.rigid_eccentricity,
                  level.uniaxial_yield_pressure});
@@ -70,7 +76,7 @@ SurfacePicture picture(const CapLevel &level)
                                 level.value.eccentricity,
                                 level.value.yield_pressure});
   SurfacePicture result{
-      level.density, level.value.yield_pressure, {}, {}, {level.uniaxial}};
+      level.density, level.value.yield_pressure, {}, {}, {}, {level.uniaxial}};
   result.line.push_back({0, surface.shear_limit(0.)});
   for (unsigned k = 0; k <= 60; ++k) {
     const double angle = k / 60. * std::acos(0.);
@@ -85,16 +91,18 @@ SurfacePicture picture(const CapLevel &level)
 std::string panel(const char *title,
                   const char *name,
                   const std::string &unit,
-                  const std::string &factor)
+                  const std::string &factor,
+                  const std::string &more = "")
 {
   return fmt::format(
       R"(set title "{0}"
-plot "../fit.csv" using (column(density)):(column("{1}_unsmoothed[{2}]") * {3}):(column("{1}_deviation[{2}]") * {3}) with yerrorbars linecolor 2 linewidth 2 pointsize 0.8, "" using (column(density)):(column("{1}[{2}]") * {3}) with lines linecolor 1
+plot "../fit.csv" using (column(density)):(column("{1}_unsmoothed[{2}]") * {3}):(column("{1}_deviation[{2}]") * {3}) with yerrorbars linecolor 2 linewidth 2 pointsize 0.8, "" using (column(density)):(column("{1}[{2}]") * {3}) with lines linecolor 1{4}
 )",
       title,
       name,
       unit,
-      factor);
+      factor,
+      more);
 }
 } // namespace
 
@@ -105,6 +113,10 @@ void write_cap_table(const RunFolder &folder,
   std::vector<std::string> lines = remarks;
   lines.emplace_back("relative_density: of the unloaded powder; deviation: of "
                      "one replica, 0 if there is one only");
+  lines.emplace_back("cohesion_error: standard error of d from the scatter of "
+                     "the shear points, 0 if they are too few; "
+                     "cohesion_extrapolated: 1 if they begin so far from the "
+                     "axis that d is a guess");
   lines.emplace_back(
       "rigid_cap_eccentricity: R if lateral plastic strain were zero "
       "(plastic_strain_ratio 1.5); friction_angle_by_*: 0 without points");
@@ -123,12 +135,21 @@ std::vector<SurfacePicture> cap_surfaces(const CapFit &fit)
 
 Plot cap_tables_plot()
 {
+  using namespace std::string_literals;
   const std::string degrees = "57.29577951308232";
   return {"tables",
           "set multiplot layout 2,3\nunset key\nset format y \"%g\"\n"
           "density = \"relative_density[-]\"\nset xlabel \"relative density\""
           "\nset xtics 0.1\nset tics font \",14\"\n" +
-              panel("cohesion d [MPa]", "cohesion", "Pa", "1e-6") +
+              "guess(name) = column(\"cohesion_extrapolated[-]\") == 1 ? "
+              "column(name) * 1e-6 : NaN\n"s +
+              panel("d [MPa] (open: a guess)",
+                    "cohesion",
+                    "Pa",
+                    "1e-6",
+                    ", \"\" using (column(density)):"
+                    "(guess(\"cohesion_unsmoothed[Pa]\")) with points "
+                    "linecolor 2 pointtype 6 pointsize 2 linewidth 2") +
               panel("friction angle {/Symbol b} [deg]",
                     "friction_angle",
                     "rad",

@@ -6,31 +6,60 @@
 
 namespace tamp::apps
 {
+namespace
+{
+/// Sums over points with the weight 1 / q^2: the normal equations of relative
+/// differences.
+struct RelativeSums {
+  double one = 0, p = 0, pp = 0, q = 0, pq = 0;
+  bool one_pressure = false;
+
+  explicit RelativeSums(std::span<const StressPoint> points)
+  {
+    for (const StressPoint &point : points) {
+      const double weight = 1 / (point.q * point.q);
+      one += weight;
+      p += weight * point.p;
+      pp += weight * point.p * point.p;
+      q += weight * point.q;
+      pq += weight * point.p * point.q;
+    }
+    const auto [least, most] = std::ranges::minmax(points, {}, &StressPoint::p);
+    one_pressure = !(most.p - least.p > 0.1 * most.p);
+  }
+  double determinant() const { return one * pp - p * p; }
+};
+} // namespace
+
 ShearLine fit_shear_line(std::span<const StressPoint> points)
 {
-  // Sums of (d + t p - q)^2 / q^2.
-  double one = 0, p = 0, pp = 0, q = 0, pq = 0;
-  for (const StressPoint &point : points) {
-    const double weight = 1 / (point.q * point.q);
-    one += weight;
-    p += weight * point.p;
-    pp += weight * point.p * point.p;
-    q += weight * point.q;
-    pq += weight * point.p * point.q;
-  }
-  const auto [least, most] = std::ranges::minmax(points, {}, &StressPoint::p);
-  const double determinant = one * pp - p * p;
+  const RelativeSums sums(points);
   ShearLine line;
-  line.through_origin = !(most.p - least.p > 0.1 * most.p);
+  line.through_origin = sums.one_pressure;
   if (!line.through_origin) {
-    line.cohesion = (q * pp - p * pq) / determinant;
-    line.slope = (one * pq - p * q) / determinant;
+    line.cohesion = (sums.q * sums.pp - sums.p * sums.pq) / sums.determinant();
+    line.slope = (sums.one * sums.pq - sums.p * sums.q) / sums.determinant();
   }
   if (line.through_origin || line.cohesion < 0) {
     line.cohesion = 0;
-    line.slope = pp > 0 ? pq / pp : 0;
+    line.slope = sums.pp > 0 ? sums.pq / sums.pp : 0;
   }
   return line;
+}
+
+double cohesion_error(std::span<const StressPoint> points)
+{
+  if (points.size() < 3)
+    return 0;
+  const RelativeSums sums(points);
+  if (sums.one_pressure)
+    return 0;
+  const ShearLine line = fit_shear_line(points);
+  double square = 0;
+  for (const StressPoint &point : points)
+    square += std::pow(line.at(point.p) / point.q - 1, 2);
+  return std::sqrt(square / static_cast<double>(points.size() - 2) * sums.pp /
+                   sums.determinant());
 }
 
 double residual_of(const ShearLine &line, std::span<const StressPoint> points)

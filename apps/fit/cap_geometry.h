@@ -27,6 +27,11 @@ struct ShearLine {
 /// tenth. @param points  at least one, q above zero.
 ShearLine fit_shear_line(std::span<const StressPoint> points);
 
+/// Standard error of the cohesion of such a line, from the scatter of the
+/// points about it [Pa]; zero with fewer than three points, or if all have one
+/// pressure.
+double cohesion_error(std::span<const StressPoint> points);
+
 /// Root mean square of (q - line) / line at points.
 double residual_of(const ShearLine &line, std::span<const StressPoint> points);
 

@@ -13,7 +13,9 @@
 #include <ceres/solver.h>
 #include <cmath>
 #include <fmt/format.h>
+#include <map>
 #include <memory>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 
@@ -25,17 +27,18 @@ namespace
 /// surface has another shape than that of the powder is to follow the paths.
 constexpr std::array<double, 3> weights{1, 0.2, 0.5};
 
-/// How often the way from the middle of the surface on the axis of p to a point
-/// fits into that to the surface in the same direction [-]: sound at both ends
-/// of the surface, also where q is small.
+/// How often a step from (middle, 0) in the plane of p and q fits into the way
+/// to the surface in its direction [-]: sound at both ends of the surface, also
+/// where q is small.
 template <class Unknowns, class Law, class State>
-double times_to_surface(const Law &law, const State &state, StressPoint point)
+double times_to_surface(const Law &law,
+                        const State &state,
+                        double middle,
+                        StressPoint step)
 {
-  const double middle = Unknowns::yield_pressure(law, state) / 2;
   const auto outside = [&](double times) {
-    return times * point.q -
-           Unknowns::shear_limit(
-               law, state, middle + times * (point.p - middle));
+    return times * step.q -
+           Unknowns::shear_limit(law, state, middle + times * step.p);
   };
   double far = 1;
   for (unsigned i = 0; i < 60 && outside(far) < 0; ++i)
@@ -98,8 +101,11 @@ private:
       if (loading == Loading::uniaxial)
         take(q / p - stop.stress->q / stop.stress->p, 0);
     }
+    const double middle = Unknowns::yield_pressure(law, state) / 2;
     for (const StressPoint &point : stop.yields)
-      take(std::log(times_to_surface<Unknowns>(law, state, point)), 1);
+      take(std::log(times_to_surface<Unknowns>(
+               law, state, middle, {point.p - middle, point.q})),
+           1);
     for (const ModuliPoint &row : stop.moduli) {
       const ModuliPoint moduli = Unknowns::moduli(law, state);
       take(std::log(moduli.bulk_modulus / row.bulk_modulus), 2);
@@ -129,10 +135,11 @@ FirstGuess first_guess(const std::vector<ProbeData> &probes,
 {
   const PathElasticity elasticity(moduli_rows(probes));
   FirstGuess guess;
-  guess.initial_density = 1;
   for (const ProbeData &probe : probes)
-    guess.initial_density = std::min(
-        guess.initial_density, PlasticPath(probe, elasticity).first_density());
+    guess.initial_density +=
+        std::min(PlasticPath(probe, elasticity).first_density(),
+                 courses.first_density()) /
+        static_cast<double>(probes.size());
   const auto state = [&](double density) {
     const StressPoint stress = stress_at(probes.front(), density);
     return PathPoint{density, stress.p, stress.q, 0, 0};
@@ -217,27 +224,111 @@ void take_residuals(const typename Unknowns::Law &law,
   fit.modulus_residual = mean(2);
 }
 
+/// The states of a law at the stops of a course that have yield points; fewer
+/// if it failed on its way.
+template <class Law>
+std::vector<typename Law::State> scanned_states(const Law &law,
+                                                const Course &course)
+{
+  std::vector<typename Law::State> states;
+  (void)follow(law, course, [&](const CourseStop &stop, const auto &state) {
+    if (!stop.yields.empty())
+      states.push_back(state);
+  });
+  return states;
+}
+
+/// A law and its states at the same stops as those of other laws.
+template <class Law>
+struct FollowedLaw {
+  Law law;
+  std::vector<typename Law::State> states;
+};
+
+/// The surface of the first law at a stop, and the band of the others, along
+/// rays from the middle of the first.
 template <class Unknowns>
-void take_surfaces(const typename Unknowns::Law &law,
+void take_surface(const std::vector<FollowedLaw<typename Unknowns::Law>> &laws,
+                  std::size_t stop,
+                  SurfacePicture &picture)
+{
+  constexpr unsigned rays = 100;
+  constexpr double edge = 1e-6; // of the angle at both ends: q is not zero
+  const auto &[law, states] = laws.front();
+  picture.yield_pressure = Unknowns::yield_pressure(law, states[stop]);
+  const double middle = picture.yield_pressure / 2;
+  std::vector<StressPoint> nearest, farthest;
+  for (unsigned k = 0; k <= rays; ++k) {
+    const double angle =
+        edge + (1 - 2 * edge) * (rays - k) / rays * std::numbers::pi;
+    const StressPoint step{middle * std::cos(angle), middle * std::sin(angle)};
+    std::vector<double> times;
+    for (const auto &[other, at] : laws)
+      if (stop < at.size())
+        times.push_back(
+            times_to_surface<Unknowns>(other, at[stop], middle, step));
+    const auto point = [&](double far) {
+      return StressPoint{middle + far * step.p, far * step.q};
+    };
+    picture.line.push_back(point(times.front()));
+    if (times.size() < 3)
+      continue;
+    const auto [least, most] =
+        std::minmax_element(times.begin() + 1, times.end());
+    nearest.push_back(point(*least));
+    farthest.push_back(point(*most));
+  }
+  picture.band = farthest;
+  picture.band.insert(picture.band.end(), nearest.rbegin(), nearest.rend());
+}
+
+/// @param laws  the fit, then those to single replicas.
+template <class Unknowns>
+void take_surfaces(const std::vector<typename Unknowns::Law> &laws,
                    const std::vector<Course> &courses,
                    ConstantsFit &fit)
 {
-  for (const Course &course : courses)
-    follow(law, course, [&](const CourseStop &stop, const auto &state) {
-      if (stop.yields.empty())
-        return;
-      SurfacePicture picture;
+  std::map<double, SurfacePicture> pictures; // by density
+  for (const Course &course : courses) {
+    std::vector<FollowedLaw<typename Unknowns::Law>> followed;
+    for (const auto &law : laws)
+      followed.push_back({law, scanned_states(law, course)});
+    std::size_t number = 0;
+    for (const CourseStop &stop : course.stops) {
+      if (stop.yields.empty() || number == followed.front().states.size())
+        continue;
+      SurfacePicture &picture = pictures[stop.relative_density];
       picture.density = stop.relative_density;
-      picture.yield_pressure = Unknowns::yield_pressure(law, state);
-      for (unsigned k = 0; k <= 100; ++k) {
-        const double p = picture.yield_pressure * k / 100;
-        picture.line.push_back({p, Unknowns::shear_limit(law, state, p)});
-      }
-      picture.yields = stop.yields;
+      if (picture.line.empty())
+        take_surface<Unknowns>(followed, number, picture);
+      picture.yields.insert(
+          picture.yields.end(), stop.yields.begin(), stop.yields.end());
       if (stop.stress && course.loading == Loading::uniaxial)
         picture.uniaxial.push_back(*stop.stress);
-      fit.surfaces.push_back(picture);
-    });
+      ++number;
+    }
+  }
+  for (const auto &[density, picture] : pictures)
+    fit.surfaces.push_back(picture);
+}
+
+/// @param laws  the fit, then those to single replicas.
+template <class Unknowns>
+void take_deviations(const std::vector<typename Unknowns::Law> &laws,
+                     ConstantsFit &fit)
+{
+  const auto count = static_cast<double>(laws.size()) - 1;
+  for (std::size_t i = 0; count > 1 && i < fit.constants.size(); ++i) {
+    const auto value = [i](const auto &law) {
+      return Unknowns::constants(law)[i].value;
+    };
+    double mean = 0, square = 0;
+    for (auto law = laws.begin() + 1; law != laws.end(); ++law)
+      mean += value(*law) / count;
+    for (auto law = laws.begin() + 1; law != laws.end(); ++law)
+      square += std::pow(value(*law) - mean, 2);
+    fit.constants[i].deviation = std::sqrt(square / (count - 1));
+  }
 }
 
 template <class Unknowns>
@@ -255,29 +346,18 @@ ConstantsFit fit_law(const std::vector<ProbeData> &probes,
   for (const NamedConstant &constant : Unknowns::constants(law))
     fit.constants.push_back({constant.name, constant.unit, constant.value, 0});
   take_residuals<Unknowns>(law, {guess, courses}, fit);
-  take_surfaces<Unknowns>(law, courses, fit);
 
+  std::vector laws{law};
   const auto replicas = data.replicas();
   fit.replicas = static_cast<unsigned>(replicas.size());
-  if (replicas.size() < 2)
-    return fit;
-  std::vector<std::vector<double>> values(fit.constants.size());
-  for (const ReplicaOfProbes &replica : replicas) {
-    const auto own = minimise<Unknowns>(
-        guess, data.courses(&replica), starts<Unknowns>(guess));
-    const auto constants = Unknowns::constants(own);
-    for (std::size_t i = 0; i < constants.size(); ++i)
-      values[i].push_back(constants[i].value);
-  }
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    double mean = 0, square = 0;
-    for (const double value : values[i])
-      mean += value / static_cast<double>(values[i].size());
-    for (const double value : values[i])
-      square += std::pow(value - mean, 2);
-    fit.constants[i].deviation =
-        std::sqrt(square / static_cast<double>(values[i].size() - 1));
-  }
+  if (replicas.size() > 1)
+    for (const ReplicaOfProbes &replica : replicas) {
+      laws.push_back(minimise<Unknowns>(
+          guess, data.courses(&replica), starts<Unknowns>(guess)));
+      fit.replica_laws.push_back(Unknowns::material(laws.back()));
+    }
+  take_deviations<Unknowns>(laws, fit);
+  take_surfaces<Unknowns>(laws, courses, fit);
   return fit;
 }
 } // namespace

@@ -23,6 +23,8 @@ struct ConstantsFit {
   coupling::MaterialChoice law;
   std::vector<FittedConstant> constants;
   unsigned replicas = 0;
+  /// Fitted to each replica alone; none of a single one.
+  std::vector<coupling::MaterialChoice> replica_laws;
   /// Densities under load between which probes and law were compared [-].
   double first_density = 0, last_density = 0;
   /// Root mean squares, without weights: see fit_constants().

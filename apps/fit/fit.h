@@ -3,6 +3,7 @@
 #define apps_fit_fit_h
 
 #include <apps/fit/cap_fit.h>
+#include <apps/fit/unloading_moduli.h>
 #include <apps/run/run_session.h>
 
 #include <filesystem>
@@ -14,12 +15,14 @@ namespace tamp::apps
 {
 /// What a user says on the command line of tamp fit.
 struct FitRequest {
-  /// Of tamp probe; for an equation of compaction one, also of tamp die.
+  /// Of tamp probe, one of several cells stands for all of them; for an
+  /// equation of compaction one, also of tamp die.
   std::vector<std::filesystem::path> folders;
   std::string law = "drucker-prager-cap";
   /// None: irreversible strain, or for a cap the peak where that strain comes
   /// before the state on the uniaxial path.
   std::optional<YieldCriterion> criterion;
+  ModuliSource moduli = ModuliSource::probes;
 };
 
 /// The laws that can be fitted, as --law names them.

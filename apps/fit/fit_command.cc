@@ -44,6 +44,15 @@ void add_fit(CLI::App &app, int &code)
                   "strain does not allow")
       ->transform(CLI::CheckedTransformer(criteria).description(
           "one of strain, work, peak"));
+  const std::map<std::string, ModuliSource> sources{
+      {"probes", ModuliSource::probes}, {"unloading", ModuliSource::unloading}};
+  fit->add_option("--moduli",
+                  request.moduli,
+                  "Where elasticity comes from: small probes (default), right "
+                  "as unloading begins, or secants of the whole unloading of "
+                  "the uniaxial path, for what dies keep and give back")
+      ->transform(CLI::CheckedTransformer(sources).description(
+          "one of probes, unloading"));
   add_output_options(
       *fit, "FOLDER/fit/LAW of the first folder", choice->options);
   fit->callback([choice, equations, &code] {

@@ -147,4 +147,49 @@ std::string abaqus_text(const coupling::CapChoice &law,
   append_cap_data(law, text);
   return text;
 }
+
+std::string abaqus_text(const fem::ModifiedCamClayParameters &law,
+                        double last_density,
+                        const std::vector<std::string> &remarks)
+{
+  const double p_c = law.initial_yield_pressure, kappa = law.swelling_index,
+               lambda = law.compression_index, floor = law.floor_pressure;
+  // Loaded elastically from no stress to p_c.
+  const double swelling = p_c > floor ? 1 + std::log(p_c / floor) : p_c / floor;
+  const double volume = 1 / law.initial_relative_density - kappa * swelling;
+  // ln(p_c / p_c0) on the line of first compression.
+  const double growth = (volume - 1 / last_density) / lambda;
+  const double stiffer = (volume - kappa * growth) * last_density;
+  return comments("**", remarks) +
+         comment("**",
+                 "Units: Pa. The powder begins on its line of first "
+                 "compression, under the pressure p_c, as *POROUS ELASTIC "
+                 "needs a pressure; tamp begins without stress.") +
+         fmt::format("** *INITIAL CONDITIONS, TYPE=STRESS\n"
+                     "**   powder, {0:.7g}, {0:.7g}, {0:.7g}, 0., 0., 0.\n"
+                     "** *INITIAL CONDITIONS, TYPE=RATIO\n"
+                     "**   powder, {1:.9g}\n",
+                     -p_c,
+                     volume - 1) +
+         comment(
+             "**",
+             fmt::format(
+                 "First compression and yield surfaces are those of tamp. "
+                 "Elasticity is not: for tamp the bulk modulus is v p / kappa "
+                 "with the volume v = 1 / D of the powder as it is, for Abaqus "
+                 "with that before its plastic compaction. Abaqus is stiffer "
+                 "by the ratio, from 1 at the start to {:.3g} at a relative "
+                 "density of {:.4g}, and so is spring-back less.",
+                 stiffer,
+                 last_density)) +
+         "*MATERIAL, NAME=POWDER\n"
+         "*POROUS ELASTIC, SHEAR=POISSON\n** kappa, nu, tensile limit\n" +
+         fmt::format("{:.7g}, {:.7g}, 0.\n", kappa, law.poissons_ratio) +
+         "*CLAY PLASTICITY, HARDENING=EXPONENTIAL\n"
+         "** lambda, M, a_0 = p_c / 2, beta, K\n" +
+         fmt::format("{:.7g}, {:.7g}, {:.7g}, 1., 1.\n",
+                     lambda,
+                     law.critical_state_slope,
+                     p_c / 2);
+}
 } // namespace tamp::apps

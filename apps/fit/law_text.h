@@ -28,6 +28,19 @@ constants_text(const std::string &type,
 /// the hardening table. Source: Abaqus Keywords Reference Guide.
 std::string abaqus_text(const coupling::CapChoice &law,
                         const std::vector<std::string> &remarks);
+
+/// Modified Cam-Clay as a *MATERIAL of Abaqus/Standard in SI: *POROUS ELASTIC
+/// and *CLAY PLASTICITY with exponential hardening, to begin on the line of
+/// first compression, under the pressure p_c; comments have the initial
+/// conditions. That line and the surfaces are those of the law. Swelling is
+/// not: in Abaqus kappa counts the volume of the powder before plastic
+/// compaction, ln(p / p_0) kappa / (1 + e_0) = 1 - J_el, and so it is too stiff
+/// by the plastic change of volume; a comment says how much.
+/// @param last_density  up to which the law was fitted, for that comment [-]
+/// Source: Abaqus Materials Guide, Critical state (clay) plasticity model.
+std::string abaqus_text(const fem::ModifiedCamClayParameters &law,
+                        double last_density,
+                        const std::vector<std::string> &remarks);
 } // namespace tamp::apps
 
 #endif

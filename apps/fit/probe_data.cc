@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <map>
 #include <string>
 
 namespace tamp::apps
@@ -167,6 +168,24 @@ ProbeData read_probe(const fs::path &folder)
   return probe;
 }
 
+std::vector<fs::path> cells_of(const fs::path &folder)
+{
+  const std::string mark = "size_";
+  std::map<std::string, std::vector<fs::path>> by_size;
+  if (fs::exists(folder / "replicas.csv"))
+    for (const auto &entry : fs::directory_iterator(folder)) {
+      const std::string name = entry.path().filename().string();
+      if (name.starts_with(mark) && fs::exists(entry.path() / "curve.csv"))
+        by_size[name.substr(0, name.find('_', mark.size()))].push_back(
+            entry.path());
+    }
+  if (by_size.empty())
+    return {folder};
+  auto &largest = by_size.rbegin()->second;
+  std::ranges::sort(largest);
+  return largest;
+}
+
 std::vector<fs::path> probe_files(const fs::path &folder)
 {
   std::vector<fs::path> files;
@@ -176,7 +195,7 @@ std::vector<fs::path> probe_files(const fs::path &folder)
   return files;
 }
 
-ModuliPoint moduli_of_unloading(const ProbeData &probe)
+ModuliPoint moduli_of_unloading(const ProbeData &probe, double share)
 {
   ModuliPoint moduli;
   if (probe.loading != Loading::uniaxial || probe.unloading.size() < 2)
@@ -184,7 +203,7 @@ ModuliPoint moduli_of_unloading(const ProbeData &probe)
   const PathPoint &peak = probe.unloading.front();
   PathPoint end = peak;
   for (const PathPoint &point : probe.unloading)
-    if (point.axial_stress >= 0.5 * peak.axial_stress)
+    if (point.axial_stress >= share * peak.axial_stress)
       end = point;
   const double strain = peak.axial_strain - end.axial_strain;
   if (!(strain > 0))

@@ -49,6 +49,11 @@ struct ProbeData {
   std::vector<ModuliPoint> moduli;  ///< none without a moduli.csv
 };
 
+/// The folders of a result of tamp probe that are to be read: those of its
+/// cells of the largest size if it has several (--replicas), else itself.
+std::vector<std::filesystem::path>
+cells_of(const std::filesystem::path &folder);
+
 /// Reads curve.csv, and yield.csv and moduli.csv if they are there. Throws
 /// InputError naming file and line if a file is not as tamp probe writes it, or
 /// if loading is neither isotropic (q below a tenth of p at its end) nor
@@ -59,10 +64,11 @@ ProbeData read_probe(const std::filesystem::path &folder);
 std::vector<std::filesystem::path>
 probe_files(const std::filesystem::path &folder);
 
-/// K and G from the first half of the axial stress of an unloading without
-/// lateral strain: K = dp / d eps_z, G = dq / (2 d eps_z), isotropic
-/// elasticity in uniaxial strain. Both are zero if there is no such unloading.
-ModuliPoint moduli_of_unloading(const ProbeData &probe);
+/// K and G from an unloading without lateral strain down to a share of the peak
+/// of the axial stress, or as far as it goes: K = dp / d eps_z, G = dq / (2 d
+/// eps_z), isotropic elasticity in uniaxial strain. Both are zero if there is
+/// no such unloading.
+ModuliPoint moduli_of_unloading(const ProbeData &probe, double share = 0.5);
 } // namespace tamp::apps
 
 #endif

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
+#include <optional>
 #include <string>
 
 namespace tamp::apps
@@ -22,10 +23,21 @@ set xrange [0:*]
 set yrange [0:*]
 chosen = "{}"
 level(k) = word(chosen, k) + 0
-plot for [k=1:words(chosen)] "surfaces.csv" using (at(level(k), p)):(at(level(k), q)) with lines linewidth 3 linecolor k title word("{}", level(k) + 1), \
+plot {}for [k=1:words(chosen)] "surfaces.csv" using (at(level(k), p)):(at(level(k), q)) with lines linewidth 3 linecolor k title word("{}", level(k) + 1), \
      for [k=1:words(chosen)] "points.csv" using (column("kind[-]") == 0 ? at(level(k), p) : NaN):(at(level(k), q)) with points pointtype 7 linecolor k pointsize 1.2 notitle, \
      for [k=1:words(chosen)] "points.csv" using (column("kind[-]") == 1 ? at(level(k), p) : NaN):(at(level(k), q)) with points pointtype 6 linecolor k pointsize 1.6 linewidth 2 notitle
 )";
+
+constexpr const char *band_plot =
+    R"(for [k=1:words(chosen)] "bands.csv" using (at(level(k), p)):(at(level(k), q)) with filledcurves closed linecolor k fillstyle transparent solid 0.25 noborder notitle, \
+     )";
+
+bool has_bands(const std::vector<SurfacePicture> &surfaces)
+{
+  return std::ranges::any_of(surfaces, [](const SurfacePicture &surface) {
+    return !surface.band.empty();
+  });
+}
 
 Plot drawn(const std::vector<SurfacePicture> &surfaces, bool normalised)
 {
@@ -48,6 +60,7 @@ Plot drawn(const std::vector<SurfacePicture> &surfaces, bool normalised)
                       normalised ? "q / p_b [-]" : "deviatoric stress q [MPa]",
                       normalised ? "column(\"yield_pressure[Pa]\")" : "1e6",
                       numbers,
+                      has_bands(surfaces) ? band_plot : "",
                       names)};
 }
 } // namespace
@@ -66,9 +79,17 @@ void write_surfaces(const RunFolder &folder,
   CurveWriter points(plots / "points.csv",
                      with_kind,
                      {"kind: 0 yield of a branch, 1 uniaxial path"});
+  std::optional<CurveWriter> bands;
+  if (has_bands(surfaces))
+    bands.emplace(plots / "bands.csv",
+                  header,
+                  std::vector<std::string>{
+                      "around the surfaces of fits to single replicas"});
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     const SurfacePicture &surface = surfaces[i];
     const auto number = static_cast<double>(i);
+    for (const StressPoint &at : surface.band)
+      bands->write(std::array{number, at.p, at.q, surface.yield_pressure});
     for (const StressPoint &at : surface.line)
       lines.write(std::array{number, at.p, at.q, surface.yield_pressure});
     for (const StressPoint &at : surface.yields)

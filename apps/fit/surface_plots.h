@@ -15,16 +15,19 @@ struct SurfacePicture {
   double density = 0;        ///< relative [-]
   double yield_pressure = 0; ///< where it ends on the axis of p [Pa]
   std::vector<StressPoint> line;
+  /// Around the surfaces of fits to single replicas; empty without.
+  std::vector<StressPoint> band;
   std::vector<StressPoint> yields;   ///< of branches
   std::vector<StressPoint> uniaxial; ///< states on uniaxial paths
 };
 
-/// Writes what surface_plots() draws: plots/surfaces.csv and plots/points.csv.
-/// Throws OutputError.
+/// Writes what surface_plots() draws: plots/surfaces.csv, plots/points.csv and,
+/// if there are bands, plots/bands.csv. Throws OutputError.
 void write_surfaces(const RunFolder &folder,
                     const std::vector<SurfacePicture> &surfaces);
 
-/// Six of the surfaces at most, absolute and over their yield pressures.
+/// Six of the surfaces at most, absolute and over their yield pressures, with
+/// their bands.
 std::vector<Plot> surface_plots(const std::vector<SurfacePicture> &surfaces);
 } // namespace tamp::apps
 

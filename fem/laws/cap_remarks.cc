@@ -65,9 +65,12 @@ void judge_start(const DruckerPragerCapParameters &parameters,
 {
   const double start = parameters.initial_relative_density,
                reference = parameters.reference_density;
-  if (std::abs(start - reference) <= 1e-6)
-    return;
   const double strain = std::log(start / reference);
+  // Rows below a row at the start are for powder that dilates first.
+  if (std::ranges::any_of(parameters.hardening.rows().x, [&](const double x) {
+        return std::abs(x - strain) <= 1e-6;
+      }))
+    return;
   const std::string pressure =
       megapascal(parameters.hardening.read(strain).value);
   const std::string found = "the powder starts at a relative density of " +

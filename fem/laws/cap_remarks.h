@@ -21,8 +21,8 @@ struct Remark {
 };
 
 /// All that is doubtful or easily overlooked about the constants: a start
-/// density that is not that of the hardening table or lies outside a table,
-/// tables that end before full density, and properties that change with
+/// density that is not that of a row of the hardening table or lies outside a
+/// table, tables that end before full density, and properties that change with
 /// density in a way that makes the powder weaker.
 std::vector<Remark> remarks(const DruckerPragerCapParameters &parameters);
 } // namespace tamp::fem

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <apps/fit/cap_fit.h>
 #include <apps/fit/law_check.h>
+#include <apps/fit/unloading_moduli.h>
+#include <apps/input/units.h>
+#include <fem/laws/cap_remarks.h>
+#include <fem/path_driver.h>
 
 #include <functional>
 #include <numbers>
@@ -255,6 +259,110 @@ TEST(CapFit, DensitiesThatDisagreeDoNotMakeThePowderWeaker)
   EXPECT_TRUE(std::ranges::is_sorted(fit.law.cohesion));
   EXPECT_TRUE(std::ranges::is_sorted(fit.law.hydrostatic_yield));
   EXPECT_TRUE(std::ranges::is_sorted(fit.law.elasticity.youngs_modulus));
+}
+
+TEST(CapFit, CohesionFarFromTheAxisIsAGuess)
+{
+  const FitPlace place;
+  LawProbe far = probe(false);
+  far.shares = {0.3, 0.4, 0.5};
+  write_law_probe(Powder().law(), probe(false), place / "near");
+  write_law_probe(Powder().law(), far, place / "far");
+  const auto guesses = [&](const char *folder) {
+    const CapFit fit =
+        fit_cap({read_probe(place / folder)}, YieldCriterion::strain);
+    const bool said =
+        std::ranges::any_of(fit.remarks, [](const std::string &remark) {
+          return remark.find("is a guess") != std::string::npos;
+        });
+    const auto count =
+        std::ranges::count(fit.levels, true, &CapLevel::cohesion_extrapolated);
+    EXPECT_EQ(said, count > 0);
+    return static_cast<std::size_t>(count);
+  };
+  EXPECT_EQ(guesses("near"), 0u);
+  EXPECT_EQ(guesses("far"), scans.size());
+}
+
+TEST(CapFit, FittedLawStartsWithoutDoubt)
+{
+  const FitPlace place;
+  Powder powder;
+  powder.cohesion_factor = 0; // dilates most as it is first loaded
+  write_law_probe(powder.law(), probe(false), place / "uniaxial");
+  const CapFit fit =
+      fit_cap({read_probe(place / "uniaxial")}, YieldCriterion::strain);
+  for (const fem::Remark &remark : fem::remarks(cap_parameters(fit.law)))
+    EXPECT_EQ(remark.text().find("starts"), std::string::npos) << remark.text();
+  coupling::MaterialChoice material;
+  material.kind = coupling::MaterialKind::drucker_prager_cap;
+  material.cap = fit.law;
+  const auto point = coupling::make_material(material, 1);
+  fem::PathStage stage;
+  const double end = fit.levels.back().density;
+  stage.components[2].value = -std::log(end / fit.law.initial_relative_density);
+  const auto path = fem::drive_path(
+      *point.points, {stage}, {}, [&](const fem::PathRecord &record) {
+        EXPECT_EQ(record.response.status, fem::Status::converged)
+            << record.response.relative_density;
+      });
+  EXPECT_EQ(path, fem::PathEnd::finished);
+}
+
+TEST(UnloadingModuli, ElasticityThatDoesNotSoftenIsRecovered)
+{
+  const FitPlace place;
+  const Powder powder;
+  write_law_probe(powder.law(), probe(false), place / "uniaxial");
+  std::vector<ProbeData> data{read_probe(place / "uniaxial")};
+  take_unloading_moduli(data);
+  expect_recovered(fit_cap(data, YieldCriterion::strain), powder);
+}
+
+TEST(UnloadingModuli, LawRecoversAndKeepsWhatASofteningPowderDoes)
+{
+  const FitPlace place;
+  write_law_probe(Powder().law(), probe(false), place / "uniaxial");
+  std::vector<ProbeData> data{read_probe(place / "uniaxial")};
+  // Unloading that gets softer on its way, and loses lateral stress.
+  auto &states = data[0].unloading;
+  const PathPoint peak = states.front();
+  for (PathPoint &state : states) {
+    const double strain = peak.axial_strain - state.axial_strain,
+                 way = 1 - state.axial_stress / peak.axial_stress;
+    state.axial_strain -= way * strain;
+    state.pressure -= 0.15 * way * way * peak.pressure;
+  }
+  const auto check = [&] {
+    const CapFit fit = fit_cap(data, YieldCriterion::strain);
+    coupling::MaterialChoice material;
+    material.kind = coupling::MaterialKind::drucker_prager_cap;
+    material.cap = fit.law;
+    return check_law(material,
+                     data,
+                     fit.levels.front().loaded_density,
+                     fit.levels.back().loaded_density);
+  };
+  const UnloadingRow before = check().unloading.back();
+  take_unloading_moduli(data);
+  const LawCheck after = check();
+  const UnloadingRow &end = after.unloading.back();
+  EXPECT_LT(before.law.recovered, 0.8 * before.data.recovered);
+  EXPECT_GT(before.law.lateral, 1.1 * before.data.lateral);
+  // 3 % as E is held beyond the last scan.
+  EXPECT_NEAR(end.law.recovered / end.data.recovered, 1, 0.05);
+  EXPECT_NEAR(end.law.lateral / end.data.lateral, 1, 0.05);
+  EXPECT_LT(after.worst_difference, tolerance);
+}
+
+TEST(UnloadingModuli, ProbesThatAreNotUnloadedAreRefused)
+{
+  const FitPlace place;
+  LawProbe loaded = probe(false);
+  loaded.unload = false;
+  write_law_probe(Powder().law(), loaded, place / "uniaxial");
+  std::vector<ProbeData> data{read_probe(place / "uniaxial")};
+  EXPECT_THROW(take_unloading_moduli(data), InputError);
 }
 } // namespace
 } // namespace tamp::apps

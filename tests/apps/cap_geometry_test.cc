@@ -75,6 +75,30 @@ TEST(CapGeometry, CohesionIsNotNegative)
   EXPECT_TRUE(fit_shear_line(one).through_origin);
 }
 
+// Points off the line by turns, by a share of q.
+std::vector<StressPoint> scattered(double share, double first)
+{
+  std::vector<StressPoint> points;
+  for (int i = 0; i < 8; ++i) {
+    const double p = first + i;
+    points.push_back({p, line.at(p) * (1 + (i % 2 == 0 ? share : -share))});
+  }
+  return points;
+}
+
+TEST(CapGeometry, ErrorOfCohesionGrowsWithScatterAndDistance)
+{
+  EXPECT_NEAR(cohesion_error(scattered(0, 1)), 0, 1e-6);
+  const double near = cohesion_error(scattered(1e-3, 1));
+  EXPECT_GT(near, 0);
+  // Twice the scatter is twice the error, but for squares of the scatter.
+  EXPECT_NEAR(cohesion_error(scattered(2e-3, 1)) / near, 2, 1e-2);
+  EXPECT_GT(cohesion_error(scattered(1e-3, 10)), 4 * near);
+  // Nothing is known of the error with two points.
+  const auto points = scattered(1e-3, 1);
+  EXPECT_EQ(cohesion_error({points.data(), 2}), 0);
+}
+
 TEST(Isotonic, RisingValuesStay)
 {
   const std::vector<double> values{1, 2, 2.5, 7};

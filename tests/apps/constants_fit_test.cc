@@ -106,6 +106,35 @@ TEST(ConstantsFit, ScatterOfReplicasIsTheDeviation)
   ASSERT_EQ(fit.constants[2].name, "Critical state slope");
   // Of -x, 0 and x the deviation is x, but for what each fit is off.
   EXPECT_NEAR(fit.constants[2].deviation / (0.05 * 1.3), 1, 0.1);
+  EXPECT_EQ(fit.replica_laws.size(), 3u);
+}
+
+TEST(ConstantsFit, BandHoldsTheSurfacesOfReplicas)
+{
+  const FitPlace place;
+  std::vector<ProbeData> data;
+  const double change = 0.05;
+  for (const int sign : {-1, 1}) {
+    auto law = clay();
+    law.critical_state_slope *= 1 + change * sign;
+    const std::string name = "uniaxial_" + std::to_string(sign + 1);
+    write_law_probe(fem::ModifiedCamClay(law), probe(false), place / name);
+    data.push_back(read_probe(place / name));
+  }
+  const ConstantsFit fit = fit_constants(
+      coupling::MaterialKind::modified_cam_clay, data, YieldCriterion::strain);
+  // Scans of both replicas at one density are one picture.
+  EXPECT_EQ(fit.surfaces.size(), 5u);
+  for (const SurfacePicture &picture : fit.surfaces) {
+    const auto top = [](const std::vector<StressPoint> &points) {
+      return std::ranges::max(points, {}, &StressPoint::q).q;
+    };
+    // The farthest q of the band is that of the stronger powder, here at the
+    // same p_c: a tenth for what p_c differs.
+    EXPECT_NEAR(top(picture.band) / top(picture.line) - 1, change, change / 2)
+        << picture.density;
+    EXPECT_EQ(picture.band.size(), 2 * picture.line.size());
+  }
 }
 
 std::string text_of(const std::filesystem::path &file)
@@ -135,9 +164,68 @@ TEST(Fit, FolderHoldsWhatIsPromised)
     EXPECT_THROW((void)run_fit({{place / "probe"}, law, {}}, options),
                  InputError);
   }
-  EXPECT_TRUE(
-      std::filesystem::exists(place / "drucker-prager-cap/law_abaqus.inp"));
+  for (const std::string law : {"modified-cam-clay", "drucker-prager-cap"}) {
+    EXPECT_TRUE(std::filesystem::exists(place / law / "law_abaqus.inp"));
+    EXPECT_TRUE(std::filesystem::exists(place / law / "unloading.csv"));
+  }
 }
+
+TEST(Fit, CamClayTakesNoSecantsOfAnUnloading)
+{
+  const FitPlace place;
+  write_law_probe(fem::ModifiedCamClay(clay()), probe(false), place / "probe");
+  RunOptions options;
+  options.output = place / "fit";
+  const FitRequest request{
+      {place / "probe"}, "modified-cam-clay", {}, ModuliSource::unloading};
+  EXPECT_THROW((void)run_fit(request, options), InputError);
+  EXPECT_FALSE(std::filesystem::exists(options.output));
+}
+
+TEST(Fit, LawWithoutAbaqusIsToldSo)
+{
+  const FitPlace place;
+  write_law_probe(fem::FkmGurson(), probe(false), place / "probe");
+  RunOptions options;
+  options.verbosity = Verbosity::quiet;
+  options.plots = false;
+  options.output = place / "fit";
+  ASSERT_EQ(run_fit({{place / "probe"}, "fkm-gurson", {}}, options), exit_done);
+  EXPECT_FALSE(std::filesystem::exists(place / "fit/law_abaqus.inp"));
+  EXPECT_NE(text_of(place / "fit/summary.txt").find("Gurson alone"),
+            std::string::npos);
+}
+
+TEST(Fit, FolderOfSeveralCellsStandsForThem)
+{
+  const FitPlace place;
+  auto other = clay();
+  other.critical_state_slope *= 1.05;
+  const auto folder = place / "probe";
+  write_law_probe(
+      fem::ModifiedCamClay(clay()), probe(false), folder / "size_00400_seed_1");
+  write_law_probe(
+      fem::ModifiedCamClay(other), probe(false), folder / "size_00400_seed_2");
+  // A smaller size does not count, nor does the mean at the top.
+  place.write("probe/size_00100_seed_1/curve.csv", "nothing\n");
+  place.write("probe/replicas.csv", "size[-]\n");
+  place.write("probe/curve.csv", "nothing\n");
+  RunOptions options;
+  options.verbosity = Verbosity::quiet;
+  options.plots = false;
+  options.output = place / "fit";
+  ASSERT_EQ(run_fit({{folder}, "modified-cam-clay", {}}, options), exit_done);
+  const std::string table = text_of(place / "fit/fit.csv");
+  const std::string line =
+      table.substr(table.rfind('\n', table.size() - 2) + 1);
+  std::istringstream fields(line);
+  std::string field;
+  for (unsigned column = 0; column < 3; ++column)
+    std::getline(fields, field, ',');
+  EXPECT_EQ(field, "2") << table; // replicas
+  EXPECT_TRUE(std::filesystem::exists(place / "fit/plots/bands.csv"));
+}
+
 TEST(Fit, PeaksAreTakenWhereStrainAllowsNoCap)
 {
   const FitPlace place;

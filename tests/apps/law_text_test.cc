@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "fit_place.h"
+#include "law_probe.h"
 
 namespace tamp::apps
 {
@@ -136,13 +137,94 @@ TEST(LawText, BlockOfAbaqusReadBackIsTheSectionMaterial)
   expect_same(block, read_prm(place, cap_text(some_law(), {})));
 }
 
+fem::ModifiedCamClayParameters some_clay()
+{
+  fem::ModifiedCamClayParameters law;
+  law.critical_state_slope = 1.3123456;
+  law.compression_index = 0.2;
+  law.swelling_index = 0.02;
+  law.poissons_ratio = 0.2;
+  law.initial_relative_density = 0.6;
+  law.initial_yield_pressure = 2.3456789e6;
+  return law;
+}
+
+/// What stands in the block of Abaqus.
+struct AbaqusClay {
+  double kappa, poissons_ratio, lambda, slope, size, pressure, void_ratio;
+};
+
+AbaqusClay read_clay(const std::string &text)
+{
+  const auto elastic = read_rows(text, "*POROUS ELASTIC").at(0),
+             clay = read_rows(text, "*CLAY PLASTICITY").at(0);
+  const auto first_of = [&](const std::string &type) {
+    const std::string start = "TYPE=" + type + "\n**   powder, ";
+    return std::stod(text.substr(text.find(start) + start.size()));
+  };
+  EXPECT_EQ(clay.at(3), 1); // beta: the same ellipse on the wet side
+  EXPECT_EQ(clay.at(4), 1); // K
+  return {elastic.at(0),
+          elastic.at(1),
+          clay.at(0),
+          clay.at(1),
+          clay.at(2),
+          -first_of("STRESS"),
+          first_of("RATIO")};
+}
+
+TEST(LawText, BlockOfCamClayReadBackIsTheLaw)
+{
+  const auto law = some_clay();
+  const AbaqusClay block = read_clay(abaqus_text(law, 0.9, {"A remark."}));
+  EXPECT_NEAR(block.kappa / law.swelling_index, 1, digits);
+  EXPECT_NEAR(block.poissons_ratio / law.poissons_ratio, 1, digits);
+  EXPECT_NEAR(block.lambda / law.compression_index, 1, digits);
+  EXPECT_NEAR(block.slope / law.critical_state_slope, 1, digits);
+  EXPECT_NEAR(2 * block.size / law.initial_yield_pressure, 1, digits);
+  EXPECT_NEAR(block.pressure / law.initial_yield_pressure, 1, digits);
+}
+
+// Abaqus Materials Guide: J_el - 1 = kappa / (1 + e_0) ln(p_0 / p) and
+// a = a_0 exp((1 + e_0) (1 - J_pl) / (lambda - kappa J_pl)), so that on the
+// line of first compression, p = 2 a, the volume is (1 + e_0) J_el J_pl.
+TEST(LawText, CamClayOfAbaqusHasTheSameLineOfFirstCompression)
+{
+  const fem::ModifiedCamClay law(some_clay());
+  const std::string text = abaqus_text(some_clay(), 0.85, {});
+  const AbaqusClay block = read_clay(text);
+  const double volume = 1 + block.void_ratio;
+  auto state = law.initial_state();
+  double stiffer = 0;
+  while (state.relative_density < 0.85) {
+    const auto old = state;
+    (void)law.respond(old, state, {stretch(true, 5e-3)}, fem::Want::stress);
+    const double p = fem::pressure(state.stress),
+                 growth = std::log(p / block.pressure);
+    if (growth < 0)
+      continue;
+    const double plastic = (volume - block.lambda * growth) /
+                           (volume - block.kappa * growth),
+                 elastic = 1 - block.kappa / volume * growth;
+    EXPECT_NEAR(volume * elastic * plastic * state.relative_density, 1, 1e-6);
+    stiffer =
+        volume * elastic * p / block.kappa / elastic_moduli(law, state).at(0);
+  }
+  // What is said of elasticity, with three digits; half an increment in D.
+  const double said = std::stod(text.substr(
+      text.find("at the start to ") + std::string("at the start to ").size()));
+  EXPECT_NEAR(stiffer / said, 1, 0.01);
+  EXPECT_GT(said, 1.1);
+}
+
 TEST(LawText, LinesOfFilesAreShort)
 {
   const std::string remark(
       "So long a remark that it has to be broken into more than one line, as "
       "nobody wants to scroll sideways to read what a file says of itself.");
-  for (const std::string &text :
-       {cap_text(some_law(), {remark}), abaqus_text(some_law(), {remark})}) {
+  for (const std::string &text : {cap_text(some_law(), {remark}),
+                                  abaqus_text(some_law(), {remark}),
+                                  abaqus_text(some_clay(), 0.9, {remark})}) {
     std::istringstream in(text);
     for (std::string line; std::getline(in, line);)
       EXPECT_LE(line.size(), 80u) << line;

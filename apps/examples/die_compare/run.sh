@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: BSD-3-Clause
 # From grains to curves, from curves to continuum laws, and all in the same die:
-# probes of unit cells, three laws fitted to them, four dies, one comparison.
+# probes of unit cells, three laws fitted to them, one of them twice, five dies,
+# one comparison.
 # Usage: run.sh [TAMP [FOLDER]]
 #   COARSE=1  a quick look: few grains, few elements
 #   FORCE=1   overwrite what is in FOLDER, by default results/die_compare
@@ -29,13 +30,18 @@ fi
   -o "$folder/probe"
 "$tamp" die "$here/die_cells.prm" "${die[@]}" "${cells[@]}" --force \
   -o "$folder/cells"
-for law in drucker-prager-cap modified-cam-clay fkm-gurson; do
-  "$tamp" fit "$folder/probe" --law "$law" --force -o "$folder/fit_$law"
-  # The law as it was found, in the die as it is for cells.
-  { cat "$here/die.prm"; echo; cat "$folder/fit_$law/law.prm"; } \
-    > "$folder/$law.prm"
-  "$tamp" die "$folder/$law.prm" "${die[@]}" --force -o "$folder/$law"
-done
-"$tamp" compare "$folder"/{cells,drucker-prager-cap,modified-cam-clay,fkm-gurson} \
-  --names "FE2,cap,Cam-Clay,FKM-Gurson" --force -o "$folder/compare"
+
+# press NAME LAW [OPTIONS]: fits a law, and presses the die with it as it is.
+press() {
+  "$tamp" fit "$folder/probe" --law "${@:2}" --force -o "$folder/fit_$1"
+  { cat "$here/die.prm"; echo; cat "$folder/fit_$1/law.prm"; } \
+    > "$folder/$1.prm"
+  "$tamp" die "$folder/$1.prm" "${die[@]}" --force -o "$folder/$1"
+}
+press cap drucker-prager-cap
+press soft_cap drucker-prager-cap --moduli unloading
+press cam_clay modified-cam-clay
+press fkm_gurson fkm-gurson
+"$tamp" compare "$folder"/{cells,cap,soft_cap,cam_clay,fkm_gurson} \
+  --names "FE2,cap,soft cap,Cam-Clay,FKM-Gurson" --force -o "$folder/compare"
 echo "Read $folder/compare/summary.txt; plots are in $folder/compare/plots"

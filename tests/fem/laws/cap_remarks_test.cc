@@ -3,6 +3,7 @@
 #include <fem/laws/cap_remarks.h>
 
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
 
 namespace tamp::fem
@@ -47,6 +48,18 @@ TEST(CapRemarks, StartOffTheTableSaysItsYieldPressure)
   EXPECT_NE(text.find("0.1284"), std::string::npos) << text;
   EXPECT_NE(text.find("2.136 MPa"), std::string::npos) << text;
   EXPECT_NE(text.find("to 0.3 "), std::string::npos) << text;
+}
+
+TEST(CapRemarks, StartAtARowOfTheHardeningTableIsMeant)
+{
+  DruckerPragerCapParameters parameters = complete();
+  parameters.hardening =
+      DensityTable({{0, 0.1, 1.2}, {5e5, 6e5, 6e8}}, "hardening");
+  parameters.initial_relative_density =
+      parameters.reference_density * std::exp(0.1);
+  for (const Remark &remark : remarks(parameters))
+    EXPECT_EQ(remark.text().find("the powder starts"), std::string::npos)
+        << remark.text();
 }
 
 TEST(CapRemarks, StartOutsideATableIsSaid)
