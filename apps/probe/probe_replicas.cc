@@ -195,10 +195,10 @@ private:
 
   void write_mean()
   {
-    std::vector<NumberTable> curves;
+    std::vector<ProbeCurve> curves;
     for (const Member &member : members_)
       if (member.size == largest())
-        curves.push_back(member.curve);
+        curves.push_back({member.curve, member.code == exit_done});
     const NumberTable mean = mean_curve(curves);
     std::vector<std::string> remarks{fmt::format(
         "mean of {} cells of {} grains; NAME_deviation: standard deviation",
