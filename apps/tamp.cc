@@ -129,7 +129,8 @@ void add_probe(CLI::App &app,
                    "Cells of so many grains, divided by commas")
       ->delimiter(',');
   probe->callback([&] {
-    expect_one_rank("probe");
+    if (!replicas.wanted())
+      expect_one_rank("probe without --replicas or --sizes");
     code = replicas.wanted() ? run_replicas(options, replicas)
                              : run_probe(options);
   });
@@ -165,7 +166,10 @@ void add_other_commands(CLI::App &app, OtherOptions &other, int &code)
   CLI::App *copy = examples->add_subcommand("copy", "Copy an example");
   copy->add_option("NAME", other.example, "Which")->required();
   copy->add_option("DIR", other.folder, "Where to; default: here");
-  copy->callback([&] { code = copy_example(other.example, other.folder); });
+  copy->callback([&] {
+    expect_one_rank("examples copy");
+    code = copy_example(other.example, other.folder);
+  });
   CLI::App *run = examples->add_subcommand(
       "run", "Run an example: its run.sh, or its input");
   run->add_option("NAME", other.example, "Which")->required();

@@ -9,6 +9,8 @@ namespace tamp::fem
 {
 Ranks::Ranks(MPI_Comm communicator) : communicator_(communicator)
 {
+  if (communicator == MPI_COMM_SELF) // known without MPI, on any thread
+    return;
   int initialised = 0;
   MPI_Initialized(&initialised);
   if (initialised == 0)

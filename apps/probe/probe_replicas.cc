@@ -1,26 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <apps/input/units.h>
-#include <apps/output/curve_writer.h>
-#include <apps/output/number_table.h>
-#include <apps/output/plots.h>
-#include <apps/probe/mean_curve.h>
 #include <apps/probe/probe_replicas.h>
+#include <apps/probe/replica_results.h>
 #include <apps/run/build_facts.h>
 #include <apps/run/checkpoints.h>
 #include <apps/run/interrupt.h>
+#include <apps/run/mpi_run.h>
+#include <apps/run/rank_work.h>
 #include <coupling/checkpoint.h>
-#include <coupling/work_sharing.h>
 #include <fem/laws/continuum_points.h>
 #include <fem/laws/elastic.h>
 #include <fem/ranks.h>
 
 #include <algorithm>
-#include <atomic>
-#include <cmath>
 #include <fmt/format.h>
 #include <fstream>
-#include <iterator>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
 #include <optional>
@@ -30,28 +24,6 @@ namespace tamp::apps
 namespace
 {
 namespace fs = std::filesystem;
-
-/// One of the probes, and what came of it.
-struct Member {
-  long size = 0;
-  std::uint64_t seed = 0;
-  unsigned replica = 1;
-  fs::path folder;
-  int code = exit_done;
-  NumberTable curve;
-};
-
-constexpr const char *peak_stress = "peak_axial_stress[Pa]";
-const std::vector<std::string> replica_header{"size[-]",
-                                              "seed[-]",
-                                              "replica[-]",
-                                              "exit_code[-]",
-                                              "steps[-]",
-                                              peak_stress,
-                                              "peak_pressure[Pa]",
-                                              "initial_relative_density[-]",
-                                              "peak_relative_density[-]",
-                                              "final_relative_density[-]"};
 
 // Whether a probe came to its end in this folder.
 bool is_done(const fs::path &folder)
@@ -77,45 +49,49 @@ class ReplicaRun
 {
 public:
   ReplicaRun(RunSession &session,
+             const fem::Ranks &ranks,
              const RunOptions &options,
              const ReplicaChoice &choice)
-      : session_(session), options_(options)
+      : session_(session), ranks_(ranks), options_(options)
   {
     const auto &packing = session.input().material.packing;
+    // The first rank alone knows its folder.
+    const fs::path folder = ranks.first_text(session.folder().path().string());
     std::vector<long> sizes = choice.sizes;
     if (sizes.empty())
       sizes.push_back(static_cast<long>(packing.grain_count));
     std::ranges::sort(sizes);
     for (const long size : sizes)
       for (int i = 0; i < choice.replicas; ++i) {
-        Member member;
-        member.size = size;
-        member.seed = packing.seed + static_cast<std::uint64_t>(i);
-        member.replica = static_cast<unsigned>(i + 1);
-        member.folder =
-            session.folder().path() /
-            fmt::format("size_{:05d}_seed_{}", member.size, member.seed);
-        members_.push_back(member);
+        Replica one;
+        one.size = size;
+        one.seed = packing.seed + static_cast<std::uint64_t>(i);
+        one.number = static_cast<unsigned>(i + 1);
+        one.folder =
+            folder / fmt::format("size_{:05d}_seed_{}", size, one.seed);
+        replicas_.push_back(one);
       }
   }
 
   RunEnd work()
   {
-    remember_input();
-    session_.log().begin(fmt::format("probing {} cells", members_.size()));
-    std::vector<std::size_t> order(members_.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    std::ranges::reverse(order); // the largest first
-    coupling::share_work(
-        order, session_.threads(), [this](std::size_t i) { probe(i); });
-    session_.log().end();
-    if (caught_signal())
-      return RunSession::interrupted(caught_signal());
-    gather();
-    for (const Member &member : members_)
-      if (member.code != exit_done)
-        return {static_cast<ExitCode>(member.code),
-                "the probe in " + member.folder.string() +
+    if (session_.place().first())
+      remember_input();
+    const std::vector<RunEnd> ends = probe_all();
+    const auto signal = static_cast<int>(ranks_.largest(caught_signal()));
+    if (signal != 0)
+      return RunSession::interrupted(signal);
+    for (std::size_t i = ends.size(); i-- > 0;) // the largest first
+      if (!ends[i].message.empty())
+        return ends[i];
+    for (std::size_t i = 0; i < ends.size(); ++i)
+      replicas_[i].code = ends[i].code;
+    if (session_.place().first())
+      give_replicas(session_, replicas_);
+    for (const Replica &one : replicas_)
+      if (one.code != exit_done)
+        return {one.code,
+                "the probe in " + one.folder.string() +
                     " did not end well, see there"};
     return {};
   }
@@ -130,150 +106,65 @@ private:
     Checkpoints(session_, alone).write(0, {}, nothing);
   }
 
-  void probe(std::size_t i)
+  std::vector<RunEnd> probe_all()
+  {
+    const std::string where =
+        ranks_.size() > 1 ? fmt::format(" on {} ranks", ranks_.size()) : "";
+    session_.log().begin(
+        fmt::format("probing {} cells{}", replicas_.size(), where));
+    RankWork shared;
+    shared.order.resize(replicas_.size());
+    std::iota(shared.order.rbegin(), shared.order.rend(), std::size_t(0));
+    shared.threads = session_.threads();
+    shared.work = [this](std::size_t i) { return probe(replicas_[i]); };
+    shared.done = [this](std::size_t i, unsigned rank) { tell(i, rank); };
+    const std::vector<RunEnd> ends = share_among_ranks(ranks_, shared);
+    session_.log().end();
+    return ends;
+  }
+
+  // A message only if the probe could not even begin.
+  RunEnd probe(const Replica &one)
   {
     if (caught_signal())
-      return;
-    Member &member = members_[i];
+      return {};
     const bool again = session_.resumes();
-    if (again && is_done(member.folder))
-      return;
+    if (again && is_done(one.folder))
+      return {};
     RunOptions options = options_;
-    options.output = member.folder;
-    options.settings.push_back(fmt::format("Grains/Count = {}", member.size));
-    options.settings.push_back(fmt::format("Packing/Seed = {}", member.seed));
-    options.resume = again && can_go_on(member.folder);
+    options.output = one.folder;
+    options.settings.push_back(fmt::format("Grains/Count = {}", one.size));
+    options.settings.push_back(fmt::format("Packing/Seed = {}", one.seed));
+    options.resume = again && can_go_on(one.folder);
     options.force = options.force || (again && !options.resume);
     options.threads = 1;
     options.verbosity = Verbosity::quiet;
-    member.code = run_member(options, {member.replica, &writing_});
-    const auto done = static_cast<double>(++done_);
-    const std::lock_guard lock(writing_);
-    session_.log().step(done / static_cast<double>(members_.size()),
-                        done,
-                        "cells",
-                        member.folder.filename().string());
+    const int code = run_member(options, {one.number, &writing_});
+    return {static_cast<ExitCode>(code), ""};
   }
 
-  void gather()
+  void tell(std::size_t i, unsigned rank)
   {
-    CurveWriter replicas(session_.folder().path() / "replicas.csv",
-                         replica_header);
-    for (Member &member : members_) {
-      member.curve = read_number_table(member.folder / "curve.csv");
-      replicas.write(results_of(member));
-    }
-    for (const Member &member : members_)
-      peaks_[member.size].push_back(results_of(member)[5]);
-    write_mean();
-    for (const char *name : {"yield.csv", "moduli.csv"})
-      join(name);
-    give();
-    draw();
-  }
-
-  static std::vector<double> results_of(const Member &member)
-  {
-    const NumberTable &curve = member.curve;
-    const std::size_t axial = curve.column("stress_zz[Pa]"),
-                      density = curve.column("relative_density[-]");
-    const auto peak = std::ranges::max_element(
-        curve.rows, {}, [&](const auto &row) { return row[axial]; });
-    return {static_cast<double>(member.size),
-            static_cast<double>(member.seed),
-            static_cast<double>(member.replica),
-            static_cast<double>(member.code),
-            curve.rows.back()[0],
-            (*peak)[axial],
-            (*peak)[curve.column("pressure[Pa]")],
-            curve.rows.front()[density],
-            (*peak)[density],
-            curve.rows.back()[density]};
-  }
-
-  long largest() const { return members_.back().size; }
-
-  void write_mean()
-  {
-    std::vector<NumberTable> curves;
-    for (const Member &member : members_)
-      if (member.size == largest())
-        curves.push_back(member.curve);
-    const NumberTable mean = mean_curve(curves);
-    std::vector<std::string> remarks{fmt::format(
-        "mean of {} cells of {} grains; NAME_deviation: standard deviation",
-        curves.size(),
-        largest())};
-    std::ranges::copy(mean.remarks, std::back_inserter(remarks));
-    CurveWriter writer(
-        session_.folder().path() / "curve.csv", mean.names, remarks);
-    for (const auto &row : mean.rows)
-      writer.write(row);
-  }
-
-  // The lines of all members of the largest size.
-  void join(const std::string &name)
-  {
-    if (!session_.input().scan.on())
+    if (caught_signal())
       return;
-    std::optional<CurveWriter> writer;
-    for (const Member &member : members_) {
-      if (member.size != largest())
-        continue;
-      const NumberTable table = read_number_table(member.folder / name);
-      if (!writer)
-        writer.emplace(
-            session_.folder().path() / name, table.names, table.remarks);
-      for (const auto &row : table.rows)
-        writer->write(row);
-    }
-  }
-
-  // The smallest size whose mean is that of the largest one as far as the
-  // scatter of both means can tell, twice their standard error.
-  void give()
-  {
-    long recommended = largest();
-    const Scatter last = scatter_of(peaks_.at(largest()));
-    for (const auto &[size, peaks] : peaks_) {
-      const Scatter scatter = scatter_of(peaks);
-      session_.heading(fmt::format("{} grains", size));
-      session_.result(fmt::format("peak_axial_stress_{}[Pa]", size),
-                      scatter.mean);
-      session_.result(fmt::format("peak_axial_stress_deviation_{}[Pa]", size),
-                      scatter.deviation);
-      if (recommended == largest() &&
-          std::abs(scatter.mean - last.mean) <=
-              2 * std::hypot(scatter.of_mean(), last.of_mean()))
-        recommended = size;
-    }
-    session_.heading("All cells");
-    session_.result("cells[-]", static_cast<double>(members_.size()));
-    if (peaks_.size() > 1 && last.count > 1)
-      session_.result("recommended_size[-]", static_cast<double>(recommended));
-    if (last.count < 2)
-      session_.warn("one cell of each size has no scatter: --replicas 3 or "
-                    "more tells a band");
-  }
-
-  void draw()
-  {
-    std::vector<Plot> plots = replica_plots();
-    if (session_.input().scan.on())
-      std::ranges::move(scan_plots(), std::back_inserter(plots));
-    session_.draw(plots);
+    const auto done = static_cast<double>(++done_);
+    session_.log().step(
+        done / static_cast<double>(replicas_.size()),
+        done,
+        "cells",
+        replicas_[i].folder.filename().string() +
+            (ranks_.size() > 1 ? fmt::format(" on rank {}", rank) : ""));
   }
 
   RunSession &session_;
+  const fem::Ranks &ranks_;
   const RunOptions &options_;
-  std::vector<Member> members_; ///< by size, then by seed
-  std::map<long, std::vector<double>> peaks_;
+  std::vector<Replica> replicas_; ///< by size, then by seed
   std::mutex writing_;
-  std::atomic<unsigned> done_ = 0;
+  unsigned done_ = 0;
 };
-} // namespace
 
-int run_replicas(const RunOptions &options, const ReplicaChoice &choice)
+void check(const ReplicaChoice &choice)
 {
   if (choice.replicas < 1)
     throw InputError(
@@ -284,19 +175,34 @@ int run_replicas(const RunOptions &options, const ReplicaChoice &choice)
       throw InputError(fmt::format(
           "--sizes {}: expected different counts of grains, such as 200,500",
           size));
+}
+
+void check(const coupling::MaterialChoice &material)
+{
+  if (material.kind != coupling::MaterialKind::unit_cell ||
+      !material.packing_files.empty())
+    throw InputError("--replicas, --sizes: expected Material/Type = unit "
+                     "cell with Packing/Source = generate; other powders "
+                     "are the same every time");
+}
+} // namespace
+
+int run_replicas(const RunOptions &options, const ReplicaChoice &choice)
+{
+  check(choice);
   RunOptions told = options;
   told.also_told = "set --replicas or --sizes = given\n";
-  RunSession session("probe", told, Need::probe);
-  watch_signals();
   watch_checkpoint_signal();
-  return session.run([&]() -> RunEnd {
-    const auto &material = session.input().material;
-    if (material.kind != coupling::MaterialKind::unit_cell ||
-        !material.packing_files.empty())
-      throw InputError("--replicas, --sizes: expected Material/Type = unit "
-                       "cell with Packing/Source = generate; other powders "
-                       "are the same every time");
-    return ReplicaRun(session, options, choice).work();
+  return run_under_mpi([&](const fem::Ranks &ranks) {
+    const RankPlace place{
+        ranks.rank(), ranks.size(), ranks_on_these_cores(ranks)};
+    std::optional<RunSession> session;
+    together(ranks,
+             [&] { session.emplace("probe", told, Need::probe, place); });
+    return session->run([&] {
+      check(session->input().material);
+      return ReplicaRun(*session, ranks, options, choice).work();
+    });
   });
 }
 } // namespace tamp::apps

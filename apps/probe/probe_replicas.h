@@ -27,7 +27,8 @@ struct ProbeMember {
 int run_member(const RunOptions &options, const ProbeMember &member);
 
 /// A probe with packings of several seeds and sizes, as many at once as there
-/// are threads: a folder for each, and at the top their mean with its band,
+/// are threads on all ranks that mpirun started: a folder for each, which all
+/// ranks must be able to reach, and at the top their mean with its band,
 /// replicas.csv, and which size suffices. Throws InputError or OutputError.
 int run_replicas(const RunOptions &options, const ReplicaChoice &choice);
 } // namespace tamp::apps

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <apps/run/interrupt.h>
 
+#include <atomic>
 #include <csignal>
 
 namespace tamp::apps
@@ -8,8 +9,10 @@ namespace tamp::apps
 namespace
 {
 // The one place where state is global: a signal handler can reach nothing
-// else.
-volatile std::sig_atomic_t caught = 0, checkpoints = 0;
+// else. Threads read it, so that it is atomic; a handler may use it as long as
+// it takes no lock.
+std::atomic<int> caught = 0, checkpoints = 0;
+static_assert(std::atomic<int>::is_always_lock_free);
 
 extern "C" void note_signal(int signal)
 {
@@ -19,7 +22,7 @@ extern "C" void note_signal(int signal)
 
 extern "C" void note_checkpoint(int)
 {
-  checkpoints = checkpoints + 1;
+  ++checkpoints;
 }
 } // namespace
 
@@ -45,5 +48,15 @@ void watch_checkpoint_signal()
 int checkpoint_signals()
 {
   return checkpoints;
+}
+
+void catch_signals_of_others(int signal, int checkpoint_signals)
+{
+  int none = 0;
+  caught.compare_exchange_strong(none, signal);
+  int now = checkpoints;
+  while (now < checkpoint_signals &&
+         !checkpoints.compare_exchange_weak(now, checkpoint_signals))
+    ;
 }
 } // namespace tamp::apps

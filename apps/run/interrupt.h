@@ -18,6 +18,10 @@ void watch_checkpoint_signal();
 /// How often SIGUSR1 came: each time it wants a checkpoint of every run at
 /// work.
 int checkpoint_signals();
+
+/// Has this process know of what another rank's caught_signal() and
+/// checkpoint_signals() are, as if it had come here.
+void catch_signals_of_others(int signal, int checkpoint_signals);
 } // namespace tamp::apps
 
 #endif

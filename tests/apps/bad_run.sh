@@ -14,6 +14,13 @@ expect 2 'threads' -- "$tamp" probe bad.prm -o results --threads -1
 # Of several ranks one speaks, and none writes; a die may have several.
 OMPI_COMM_WORLD_SIZE=2 OMPI_COMM_WORLD_RANK=0 \
   expect 2 'one rank' '--threads' -- "$tamp" probe bad.prm -o results
+for command in 'pack bad.prm' 'examples copy ring' 'fit x --law heckel' \
+  'calibrate bad.prm --data x.csv --fit x'; do
+  # shellcheck disable=SC2086
+  OMPI_COMM_WORLD_SIZE=2 OMPI_COMM_WORLD_RANK=0 \
+    expect 2 'one rank' -- "$tamp" $command
+done
+[ ! -e ring ] || fail "an example for two ranks"
 status=0
 OMPI_COMM_WORLD_SIZE=2 OMPI_COMM_WORLD_RANK=1 \
   "$tamp" probe bad.prm -o results > out.txt 2>&1 || status=$?
