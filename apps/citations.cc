@@ -286,7 +286,9 @@ const std::map<std::string_view, Keys> normal_laws{
     {"jkr", {"johnson1971"}},
     {"thornton-ning-jkr", {"johnson1971", "thornton1998"}},
     {"storakers", {"storakers1997"}},
-    {"mdr", {"zunker2024a", "zunker2024b", "zunker2025"}}};
+    {"mdr", {"zunker2024a", "zunker2024b", "zunker2025"}},
+    {"thornton-ning-adjusted",
+     {"hertz1882", "thornton1997", "thornton1998", "sheng2004"}}};
 const std::map<std::string_view, Keys> tangential_laws{
     {"none", {}},
     {"mindlin", {"mindlin1949", "thornton2013"}},

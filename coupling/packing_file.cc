@@ -20,11 +20,16 @@ using dem::UnitCell;
 using dem::Vector3;
 
 constexpr const char *format = "tamp packing";
-constexpr std::uint32_t version = 2;
+constexpr std::uint32_t version = 3;
 
 // Order as in the enumerations of dem.
-constexpr std::array normal_laws{
-    "hertz", "thornton-ning", "jkr", "thornton-ning-jkr", "storakers", "mdr"};
+constexpr std::array normal_laws{"hertz",
+                                 "thornton-ning",
+                                 "jkr",
+                                 "thornton-ning-jkr",
+                                 "storakers",
+                                 "mdr",
+                                 "thornton-ning-adjusted"};
 constexpr std::array tangential_laws{"none", "mindlin", "mindlin-deresiewicz"};
 constexpr std::array rolling_laws{"none", "epsd"};
 
@@ -46,6 +51,7 @@ constexpr std::array material_columns{
     MaterialColumn{"density", "kg/m3", &dem::GrainMaterial::density},
     MaterialColumn{
         "limiting_pressure", "Pa", &dem::GrainMaterial::limiting_pressure}};
+constexpr const char *adjusted_pressures = "adjusted_pressures";
 
 /// Writes the parts of a cell. A cell is read by the same calls, see Source.
 class Sink
@@ -92,6 +98,11 @@ public:
         column.push_back(material.*value);
       out_.numbers(folder + name, unit, column);
     }
+    std::vector<double> adjusted; // material, density, pressure
+    for (std::size_t k = 0; k < materials.size(); ++k)
+      for (const auto &[density, pressure] : materials[k].adjusted_pressures)
+        adjusted.insert(adjusted.end(), {double(k), density, pressure});
+    out_.numbers(folder + adjusted_pressures, "-, -, Pa", adjusted, 3);
   }
   void species(const char *name, const std::vector<std::uint8_t> &species)
   {
@@ -167,6 +178,15 @@ public:
       sized(column, materials.size(), folder + name);
       for (std::size_t k = 0; k < column.size(); ++k)
         materials[k].*value = column[k];
+    }
+    if (!in_.has(folder + adjusted_pressures))
+      return;
+    const auto rows = in_.numbers(folder + adjusted_pressures, 3);
+    for (std::size_t k = 0; k < rows.size(); k += 3) {
+      if (!(rows[k] >= 0 && rows[k] < double(materials.size())))
+        throw std::invalid_argument("an adjusted pressure is of no material");
+      materials[std::size_t(rows[k])].adjusted_pressures.push_back(
+          {rows[k + 1], rows[k + 2]});
     }
   }
   void species(const char *name, std::vector<std::uint8_t> &species)

@@ -10,14 +10,15 @@ namespace tamp::dem
 {
 CellLaws::CellLaws(const UnitCell &cell) : species_(cell.species)
 {
-  for (std::size_t b = 0; b < cell.materials.size(); ++b)
+  const std::vector<GrainMaterial> materials = cell.materials_now();
+  for (std::size_t b = 0; b < materials.size(); ++b)
     for (std::size_t a = 0; a <= b; ++a)
-      laws_.push_back(
-          pair_laws(cell.contact, cell.materials[a], cell.materials[b]));
+      laws_.push_back(pair_laws(cell.contact, materials[a], materials[b]));
 }
 
 void CellLaws::check(const UnitCell &cell) const
 {
+  check_adjusted(cell.contact, cell.materials);
   const std::vector<double> smallest = smallest_radii(cell);
   for (std::size_t b = 0, kind = 0; b < smallest.size(); ++b)
     for (std::size_t a = 0; a <= b; ++a, ++kind)

@@ -14,15 +14,17 @@ namespace tamp::dem
 {
 class UnitCell;
 
-/// The laws of all kinds of pairs in a cell: with S materials there are
-/// S (S + 1) / 2 kinds.
+/// The laws of all kinds of pairs in a cell as it is now: with S materials
+/// there are S (S + 1) / 2 kinds. A limiting contact pressure that is adjusted
+/// to the density is that of the density of now.
 class CellLaws
 {
 public:
   explicit CellLaws(const UnitCell &cell);
 
   /// Throws std::invalid_argument if the laws of a kind do not hold for its
-  /// smallest grains, see check_size().
+  /// smallest grains, see check_size(), or if a limiting contact pressure is
+  /// adjusted that the law takes for constant.
   void check(const UnitCell &cell) const;
 
   std::size_t kinds() const { return laws_.size(); }

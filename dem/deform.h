@@ -104,7 +104,9 @@ struct CellAnswer {
 /// its contact history included. Deterministic; without a guess a pure function
 /// of the cell, the stretch and the driving. After `diverged` the cell's
 /// content is of no use: go back to a copy. Throws std::invalid_argument if a
-/// law does not hold for the smallest grains, see CellLaws::check().
+/// law does not hold for the smallest grains, see CellLaws::check(). Limiting
+/// contact pressures that are adjusted to the density are, in each part of a
+/// divided increment, those of the density at its start.
 /// @param guess  in: a warm start or empty; out: the start for the next trial
 ///               from the same committed cell. May be null.
 CellAnswer deform(UnitCell &cell,

@@ -50,10 +50,13 @@ DynamicMeasures measure_dynamics(const UnitCell &cell,
   DynamicMeasures result;
   double mass = 0;
   double limiting_pressure = std::numeric_limits<double>::infinity();
+  const std::vector<GrainMaterial> materials = cell.materials_now();
   for (std::size_t i = 0; i < cell.size(); ++i) {
     mass += cell.mass(i);
     limiting_pressure =
-        std::min(limiting_pressure, cell.material_of(i).limiting_pressure);
+        std::min(limiting_pressure,
+                 materials[cell.species.empty() ? 0 : cell.species[i]]
+                     .limiting_pressure);
   }
   const double density = settings.density_scaling * mass / cell.solid_volume();
   if (pressure > 0)

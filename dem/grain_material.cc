@@ -3,6 +3,8 @@
 #include <dem/value_check.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 
 namespace tamp::dem
 {
@@ -12,8 +14,42 @@ void GrainMaterial::check() const
   positive(youngs_modulus, "Young's modulus");
   positive(density, "density");
   positive(limiting_pressure, "limiting contact pressure");
+  double density_before = 0;
+  for (const PressureAtDensity &node : adjusted_pressures) {
+    positive(node.limiting_pressure, "adjusted limiting contact pressure");
+    if (!(node.relative_density > density_before &&
+          std::isfinite(node.relative_density)))
+      refuse("relative density of an adjusted limiting contact pressure",
+             node.relative_density,
+             "positive ones that rise");
+    density_before = node.relative_density;
+  }
   if (!(poissons_ratio > -1 && poissons_ratio < 0.5))
     refuse("Poisson's ratio", poissons_ratio, "between -1 and 0.5");
+}
+
+GrainMaterial GrainMaterial::at_density(double relative_density) const
+{
+  if (adjusted_pressures.empty())
+    return *this;
+  GrainMaterial material = *this;
+  material.adjusted_pressures.clear();
+  const auto above =
+      std::ranges::upper_bound(adjusted_pressures,
+                               relative_density,
+                               {},
+                               &PressureAtDensity::relative_density);
+  if (above == adjusted_pressures.begin()) {
+    material.limiting_pressure = above->limiting_pressure;
+    return material;
+  }
+  const auto &[density, pressure] = *std::prev(above);
+  material.limiting_pressure = pressure;
+  if (above != adjusted_pressures.end())
+    material.limiting_pressure *= std::pow(
+        above->limiting_pressure / pressure,
+        (relative_density - density) / (above->relative_density - density));
+  return material;
 }
 
 PairMaterial pair_material(const GrainMaterial &first,

@@ -2,8 +2,18 @@
 #ifndef dem_grain_material_h
 #define dem_grain_material_h
 
+#include <vector>
+
 namespace tamp::dem
 {
+/// A limiting contact pressure that holds at a relative density of the cell.
+struct PressureAtDensity {
+  double relative_density;  ///< of the cell [-]
+  double limiting_pressure; ///< p_y [Pa]
+
+  bool operator==(const PressureAtDensity &) const = default;
+};
+
 /// The solid that grains are made of.
 struct GrainMaterial {
   double youngs_modulus = 70e9; ///< E [Pa]
@@ -12,10 +22,19 @@ struct GrainMaterial {
   /// p_y, where the pressure in a contact is cut off [Pa]; laws with plasticity
   /// only.
   double limiting_pressure = 0.5e9;
+  /// p_y adjusted to the density of the cell, in place of limiting_pressure if
+  /// there are any: ln p_y is linear between rising densities, constant
+  /// outside. A fit to a measured curve, no property of a solid. Law
+  /// thornton_ning_adjusted only.
+  std::vector<PressureAtDensity> adjusted_pressures = {};
 
   /// Throws std::invalid_argument naming the first value that is not
   /// physical.
   void check() const;
+
+  /// The material in a cell of this density: p_y is that which holds there, and
+  /// there is no other.
+  GrainMaterial at_density(double relative_density) const;
 
   double shear_modulus() const
   {
@@ -44,7 +63,8 @@ enum class NormalLaw {
   jkr,
   thornton_ning_jkr, ///< Thornton-Ning with adhesion
   storakers,
-  mdr
+  mdr,
+  thornton_ning_adjusted ///< Thornton-Ning under a p_y that changes
 };
 enum class TangentialLaw { none, mindlin, mindlin_deresiewicz };
 enum class RollingLaw { none, epsd };

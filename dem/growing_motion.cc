@@ -9,11 +9,12 @@ namespace tamp::dem
 {
 namespace
 {
-// Grains grow after the sooner of these.
-constexpr double strain_between_growths = 1e-3;
-constexpr std::size_t steps_between_growths = 500;
+// Grains grow, and laws are made anew, after the sooner of these.
+constexpr double strain_of_a_motion = 1e-3;
+constexpr std::size_t steps_of_a_motion = 500;
 
-/// Motions one after the other, between which the grains grow.
+/// Motions one after the other. Each begins with the growth of the grains and
+/// with the limiting contact pressures of the density then.
 class GrowingMotion final : public Motion
 {
 public:
@@ -21,7 +22,8 @@ public:
                 const Dynamics &settings,
                 const Arithmetic &arithmetic)
       : cell_(cell), settings_(settings), arithmetic_(arithmetic),
-        first_loss_(cell.energy.plastic_dissipation - unstored())
+        grow_(grains_grow(cell)),
+        first_loss_(grow_ ? cell.energy.plastic_dissipation - unstored() : 0)
   {
     start();
   }
@@ -31,8 +33,8 @@ public:
                double time_step) override
   {
     constexpr double round_off = 1e-9;
-    if (strain_ >= (1 - round_off) * strain_between_growths ||
-        motion_->steps() >= steps_between_growths) {
+    if (strain_ >= (1 - round_off) * strain_of_a_motion ||
+        motion_->steps() >= steps_of_a_motion) {
       write_cell();
       earlier_steps_ += motion_->steps();
       start();
@@ -43,7 +45,8 @@ public:
   void write_cell() override
   {
     motion_->write_cell();
-    cell_.energy.plastic_dissipation = first_loss_ + unstored();
+    if (grow_)
+      cell_.energy.plastic_dissipation = first_loss_ + unstored();
   }
   double time_step() const override { return motion_->time_step(); }
   Matrix3 stress() const override { return motion_->stress(); }
@@ -71,8 +74,9 @@ private:
   Dynamics settings_;
   Arithmetic arithmetic_;
   std::unique_ptr<Motion> motion_;
+  bool grow_;
   double first_loss_; // plastic, less the unstored work [J]
-  double strain_ = 0; // since the grains grew
+  double strain_ = 0; // of the motion now
   std::size_t earlier_steps_ = 0;
 };
 } // namespace
@@ -81,7 +85,7 @@ std::unique_ptr<Motion> start_growing_motion(UnitCell &cell,
                                              const Dynamics &settings,
                                              const Arithmetic &arithmetic)
 {
-  if (!grains_grow(cell))
+  if (!grains_grow(cell) && !cell.adjusts_pressures())
     return start_motion(cell, settings, arithmetic);
   return std::make_unique<GrowingMotion>(cell, settings, arithmetic);
 }

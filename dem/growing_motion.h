@@ -8,9 +8,10 @@
 
 namespace tamp::dem
 {
-/// start_motion(), for cells of any law: where grains grow, they do so at the
-/// start and then before every advance that begins 1e-3 of strain or 500 time
-/// steps after they last grew. Between, the motion is a plain one.
+/// start_motion(), for cells of any law: at the start, and then before every
+/// advance that begins 1e-3 of strain or 500 time steps later, grains grow
+/// where they do so, and limiting contact pressures that are adjusted follow
+/// the density. Between, the motion is a plain one.
 std::unique_ptr<Motion> start_growing_motion(UnitCell &cell,
                                              const Dynamics &settings,
                                              const Arithmetic &arithmetic);

@@ -54,6 +54,7 @@ double yield_overlap(const ContactModel &model, const PairMaterial &pair)
   switch (model.normal_law) {
   case NormalLaw::thornton_ning:
   case NormalLaw::thornton_ning_jkr:
+  case NormalLaw::thornton_ning_adjusted:
     return std::pow(0.5 * std::numbers::pi * ratio, 2);
   case NormalLaw::storakers:
     return 8 * 1.43 * ratio * ratio;
@@ -84,6 +85,7 @@ double radius_of_adhesion(const ContactModel &model,
 void judge_pairs(const UnitCell &cell, std::vector<Remark> &remarks)
 {
   const std::vector<double> radius = smallest_radii(cell);
+  const std::vector<GrainMaterial> materials = cell.materials_now();
   const auto keep = [&](const Remark &remark) {
     const auto same = std::ranges::find(remarks, remark.kind, &Remark::kind);
     if (same == remarks.end())
@@ -96,7 +98,7 @@ void judge_pairs(const UnitCell &cell, std::vector<Remark> &remarks)
       if (std::isfinite(radius[a] + radius[b]))
         for (const Remark &remark : judge_contacts(
                  cell.contact,
-                 pair_material(cell.materials[a], cell.materials[b]),
+                 pair_material(materials[a], materials[b]),
                  radius[a] * radius[b] / (radius[a] + radius[b]),
                  radius.size() == 1
                      ? "contacts"

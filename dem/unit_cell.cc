@@ -22,6 +22,23 @@ double UnitCell::mean_radius() const
   return std::accumulate(radius.begin(), radius.end(), 0.0) / double(size());
 }
 
+bool UnitCell::adjusts_pressures() const
+{
+  return std::ranges::any_of(materials, [](const GrainMaterial &material) {
+    return !material.adjusted_pressures.empty();
+  });
+}
+
+std::vector<GrainMaterial> UnitCell::materials_now() const
+{
+  if (!adjusts_pressures())
+    return materials;
+  std::vector<GrainMaterial> result;
+  for (const GrainMaterial &material : materials)
+    result.push_back(material.at_density(relative_density()));
+  return result;
+}
+
 double UnitCell::mass(std::size_t grain) const
 {
   const double r = initial_radius_of(grain);

@@ -65,6 +65,11 @@ public:
   {
     return materials[species.empty() ? 0 : species[grain]];
   }
+  /// Whether limiting contact pressures are adjusted to the density.
+  bool adjusts_pressures() const;
+  /// The materials with the limiting contact pressures that hold at the present
+  /// density, see GrainMaterial::at_density().
+  std::vector<GrainMaterial> materials_now() const;
   double initial_radius_of(std::size_t grain) const
   {
     return initial_radius.empty() ? radius[grain] : initial_radius[grain];

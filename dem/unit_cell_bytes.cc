@@ -13,14 +13,25 @@ namespace tamp::dem
 {
 namespace
 {
-constexpr std::uint64_t mark = 0x344c4c4543504d54; // "TMPCELL4"
+constexpr std::uint64_t mark = 0x354c4c4543504d54; // "TMPCELL5"
 
 // Records are written as they lie in memory, which must have no gaps: what is
 // in them is no value. ContactModel has gaps.
-static_assert(sizeof(GrainMaterial) == 4 * sizeof(double));
+static_assert(sizeof(PressureAtDensity) == 2 * sizeof(double));
 static_assert(sizeof(Vector3) == 3 * sizeof(double));
 static_assert(sizeof(ContactMemory) == sizeof(Pair) + 5 * sizeof(double));
 static_assert(sizeof(EnergyAccount) == 5 * sizeof(double));
+
+/// All parts of a material, in the order of the bytes.
+template <class Material, class Visitor>
+void visit_material(Material &material, Visitor &visit)
+{
+  visit(material.youngs_modulus);
+  visit(material.poissons_ratio);
+  visit(material.density);
+  visit(material.limiting_pressure);
+  visit(material.adjusted_pressures);
+}
 
 /// All parts of a contact model, in the order of the bytes.
 template <class Model, class Visitor>
@@ -46,6 +57,12 @@ struct Writer {
     bytes.insert(bytes.end(), begin, begin + sizeof(T));
   }
   void operator()(const ContactModel &model) { visit_model(model, *this); }
+  void operator()(const std::vector<GrainMaterial> &materials)
+  {
+    (*this)(std::uint64_t(materials.size()));
+    for (const GrainMaterial &material : materials)
+      visit_material(material, *this);
+  }
   template <class T>
   void operator()(const std::vector<T> &values)
   {
@@ -64,21 +81,31 @@ struct Reader {
     std::memcpy(static_cast<void *>(&value), take(sizeof(T)), sizeof(T));
   }
   void operator()(ContactModel &model) { visit_model(model, *this); }
+  void operator()(std::vector<GrainMaterial> &materials)
+  {
+    materials.assign(count_of(4 * sizeof(double)), {});
+    for (GrainMaterial &material : materials)
+      visit_material(material, *this);
+  }
   template <class T>
   void operator()(std::vector<T> &values)
   {
-    std::uint64_t count;
-    (*this)(count);
-    if (count > bytes.size() / sizeof(T))
-      throw std::runtime_error("unit cell: bytes are cut off");
+    const std::uint64_t count = count_of(sizeof(T));
     values.resize(count);
-    if (count > 0)
-      std::memcpy(static_cast<void *>(values.data()),
-                  take(count * sizeof(T)),
-                  count * sizeof(T));
+    if (const std::size_t size = values.size() * sizeof(T); size > 0)
+      std::memcpy(static_cast<void *>(values.data()), take(size), size);
   }
 
 private:
+  /// How many of these follow, each of `size` bytes or more.
+  std::uint64_t count_of(std::size_t size)
+  {
+    std::uint64_t count;
+    (*this)(count);
+    if (count > bytes.size() / size)
+      throw std::runtime_error("unit cell: bytes are cut off");
+    return count;
+  }
   const char *take(std::size_t count)
   {
     if (count > bytes.size())
@@ -121,7 +148,7 @@ bool physical(const UnitCell &cell)
   const auto among = [](auto name, auto last) {
     return name >= decltype(name){} && name <= last;
   };
-  if (!among(model.normal_law, NormalLaw::mdr) ||
+  if (!among(model.normal_law, NormalLaw::thornton_ning_adjusted) ||
       !among(model.tangential_law, TangentialLaw::mindlin_deresiewicz) ||
       !among(model.rolling_law, RollingLaw::epsd))
     return false;
@@ -129,6 +156,7 @@ bool physical(const UnitCell &cell)
     model.check();
     for (const GrainMaterial &material : cell.materials)
       material.check();
+    check_adjusted(model, cell.materials);
   } catch (const std::invalid_argument &) {
     return false;
   }

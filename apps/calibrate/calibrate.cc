@@ -284,14 +284,19 @@ private:
   {
     const auto count = static_cast<std::size_t>(fit.best.residuals.size());
     const double misfit = misfit_of({fit.best.residuals.data(), count});
+    const std::string doubt = adjusted_pressure_doubt(
+        input_.at({fit.best.place, 0}).material.packing);
+    if (!doubt.empty())
+      session.warn(doubt);
     session.folder().write(
         "best.prm",
         fmt::format(
             "# The best values of a calibration, misfit {:.4g}, tamp "
-            "{}. Run it with tamp {}.\n{}",
+            "{}. Run it with tamp {}.\n{}{}",
             misfit,
             build_facts().version,
             choice_.model,
+            doubt.empty() ? "" : "# Note: " + doubt + ".\n",
             input_.echo(fit.best.place, own_packings_ ? packings : "")));
     session.result("measured_values[-]", static_cast<double>(count));
     session.result("misfit[-]", misfit);

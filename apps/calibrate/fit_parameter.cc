@@ -73,6 +73,13 @@ private:
 
   double number(const std::string &path, const std::string &value)
   {
+    if (const auto size = table_.list_size(path); size && *size != 1)
+      complain(
+          fmt::format("{} is a list with {} entries; expected one of them, "
+                      "such as \"{}[1] = LOW .. HIGH\"",
+                      path,
+                      *size,
+                      path));
     const std::string setting = path + " = " + value;
     try {
       table_.set(setting);

@@ -48,10 +48,12 @@ std::string curve_of(const MaterialTrial &trial)
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
-void say_adhesion(CheckReport &report, const dem::ContactModel &model)
+void say_contacts(CheckReport &report, const dem::PackingRequest &packing)
 {
-  if (const std::string doubt = adhesion_doubt(model); !doubt.empty())
-    report.doubt(doubt);
+  for (const std::string &doubt :
+       {adhesion_doubt(packing.contact), adjusted_pressure_doubt(packing)})
+    if (!doubt.empty())
+      report.doubt(doubt);
 }
 
 void say_method(CheckReport &report,
@@ -102,7 +104,7 @@ void say_grains(CheckReport &report,
                               : fmt::format(" (in a sample of {} grains)",
                                             trial.grains)));
   say_method(report, material.driving, trial);
-  say_adhesion(report, packing.contact);
+  say_contacts(report, packing);
   for (const dem::Remark &remark : trial.remarks)
     report.doubt(remark.text);
 }
@@ -146,7 +148,7 @@ void say_pair(CheckReport &report, const RunInput &input)
               fmt::format("E* = {:.4g} GPa, R* = {:.4g} um",
                           material.effective_modulus / 1e9,
                           1e6 * radius));
-  say_adhesion(report, input.material.packing.contact);
+  say_contacts(report, input.material.packing);
   for (const dem::Remark &remark : dem::judge_contacts(
            input.material.packing.contact, material, radius, "the contact"))
     report.doubt(remark.text);

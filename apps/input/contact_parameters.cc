@@ -14,8 +14,13 @@ namespace tamp::apps
 namespace
 {
 // Order as in the enumerations of dem.
-const std::vector<std::string> normal_laws{
-    "hertz", "thornton-ning", "jkr", "thornton-ning-jkr", "storakers", "mdr"};
+const std::vector<std::string> normal_laws{"hertz",
+                                           "thornton-ning",
+                                           "jkr",
+                                           "thornton-ning-jkr",
+                                           "storakers",
+                                           "mdr",
+                                           "thornton-ning-adjusted"};
 const std::vector<std::string> tangential_laws{
     "none", "mindlin", "mindlin-deresiewicz"};
 const std::vector<std::string> rolling_laws{"none", "epsd"};
@@ -37,7 +42,8 @@ void declare_laws(ParameterTable &table)
       "thornton-ning",
       normal_laws,
       "How grains push: elastic (hertz; jkr with adhesion), elastic and "
-      "perfectly plastic (thornton-ning; thornton-ning-jkr with adhesion), "
+      "perfectly plastic (thornton-ning; thornton-ning-jkr with adhesion; "
+      "thornton-ning-adjusted under a limiting pressure that changes), "
       "plastic (storakers), or at high relative density (mdr)");
   table.choice(
       "Tangential law",
@@ -50,6 +56,30 @@ void declare_laws(ParameterTable &table)
       "none",
       rolling_laws,
       "How grains resist rolling and twisting: not, or by a spring that slips");
+}
+
+constexpr const char *adjusted_pressures = "Limiting contact pressures";
+constexpr const char *adjusted_densities =
+    "Densities of limiting contact pressures";
+
+void declare_adjusted(ParameterTable &table)
+{
+  table.quantities(
+      adjusted_pressures,
+      "",
+      dimension::pressure,
+      positive,
+      "p_y adjusted to the relative density of the cell, in place of Limiting "
+      "contact pressure: one at each of the densities below, ln p_y linear "
+      "between them and constant outside. A fit to a measured curve, no "
+      "property of the grains. Normal law thornton-ning-adjusted, cells only; "
+      "a second species keeps its own");
+  table.quantities(adjusted_densities,
+                   "",
+                   dimension::number,
+                   positive,
+                   "Relative densities of a cell at which Limiting contact "
+                   "pressures hold, rising");
 }
 
 PairStage read_stage(const std::string &text, unsigned number, PairPlace place)
@@ -208,6 +238,7 @@ void declare_contact(ParameterTable &table)
                  positive,
                  "p_y, where the pressure in a contact is cut off; laws with "
                  "plasticity only");
+  declare_adjusted(table);
   table.quantity(
       "Work of adhesion",
       "0 J/m2",
@@ -258,6 +289,35 @@ void read_contact(const ParameterTable &table, dem::ContactModel &contact)
   contact.friction_coefficient = table.number("Contact/Friction coefficient");
 }
 
+std::vector<dem::PressureAtDensity>
+read_adjusted_pressures(const ParameterTable &table)
+{
+  const std::string of_pressures = std::string("Contact/") + adjusted_pressures;
+  const std::string of_densities = std::string("Contact/") + adjusted_densities;
+  const std::vector<double> pressures = table.numbers(of_pressures);
+  const std::vector<double> densities = table.numbers(of_densities);
+  const std::string law = table.word("Contact/Normal law");
+  if (pressures.size() != densities.size())
+    table.complain(of_pressures,
+                   fmt::format("expected as many as {} = {}, which are {}",
+                               of_densities,
+                               table.word(of_densities),
+                               densities.size()));
+  if (!pressures.empty() && law != "thornton-ning-adjusted")
+    table.complain(of_pressures,
+                   fmt::format("expected Contact/Normal law = "
+                               "thornton-ning-adjusted; {} takes the limiting "
+                               "contact pressure for constant",
+                               law));
+  std::vector<dem::PressureAtDensity> adjusted;
+  for (std::size_t k = 0; k < pressures.size(); ++k) {
+    if (k > 0 && densities[k] <= densities[k - 1])
+      table.complain(of_densities, "expected densities that rise");
+    adjusted.push_back({densities[k], pressures[k]});
+  }
+  return adjusted;
+}
+
 std::vector<PairStage> parse_pair_stages(const std::string &stages)
 {
   std::vector<PairStage> path;
@@ -296,6 +356,10 @@ PairInput read_pair(const ParameterTable &table,
   PairInput pair;
   pair.material = material;
   read_bodies(table, pair);
+  if (!material.adjusted_pressures.empty())
+    table.complain("Contact/Limiting contact pressures",
+                   "a pair of grains is in no cell and has no relative "
+                   "density; expected Contact/Limiting contact pressure");
   if (pair.second.is_wall() && model.normal_law == dem::NormalLaw::mdr)
     table.complain("Pair/Partner", "the law mdr is for two grains");
   pair.impact = table.on("Pair/Impact");

@@ -57,6 +57,11 @@ struct PairInput {
 /// @{
 void declare_contact(ParameterTable &table);
 void read_contact(const ParameterTable &table, dem::ContactModel &contact);
+/// The limiting contact pressures that are adjusted to the density of a cell;
+/// none if it is constant. Throws InputError if they are no table, or if the
+/// normal law takes the pressure for constant.
+std::vector<dem::PressureAtDensity>
+read_adjusted_pressures(const ParameterTable &table);
 /// @}
 
 /// @name Section Pair

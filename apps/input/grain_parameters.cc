@@ -336,6 +336,7 @@ void read_grains(const ParameterTable &table,
   packing.material = read_solid(table, "Grains/");
   packing.material.limiting_pressure =
       table.number("Contact/Limiting contact pressure");
+  packing.material.adjusted_pressures = read_adjusted_pressures(table);
   const std::string other = fmt::format("Grains/{}/", second);
   if (const double share = table.number(other + "Number share"); share > 0) {
     packing.others = {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <apps/input/list_entry.h>
 #include <apps/input/parameter_file.h>
 #include <apps/input/units.h>
 
@@ -172,4 +173,24 @@ Assignments read_json(const std::filesystem::path &file)
   }
   return assignments;
 }
+Assignment read_setting(const std::string &setting)
+{
+  const std::size_t equals = setting.find('=');
+  Assignment read;
+  read.source = fmt::format("--set \"{}\"", setting);
+  if (equals == std::string::npos)
+    throw InputError(read.source + ": expected \"Section/Name = value\"");
+  std::string_view path = trimmed(std::string_view(setting).substr(0, equals));
+  std::size_t slash;
+  while ((slash = path.find('/')) != std::string_view::npos) {
+    read.section.emplace_back(trimmed(path.substr(0, slash)));
+    path.remove_prefix(slash + 1);
+  }
+  const NumberedName last = numbered_name(std::string(trimmed(path)));
+  read.name = last.name;
+  read.number = last.number;
+  read.value = trimmed(std::string_view(setting).substr(equals + 1));
+  return read;
+}
+
 } // namespace tamp::apps

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <apps/input/list_entry.h>
 #include <apps/input/nearest_name.h>
 #include <apps/input/parameter_entry.h>
 #include <apps/input/parameter_file.h>
@@ -161,19 +162,18 @@ struct ParameterTable::Implementation {
     });
     if (entry == entries.end())
       unknown(assignment);
-    const std::string problem = entry->pattern.problem(assignment.value);
+    const std::string value = assignment.number
+                                  ? with_list_entry(*entry, assignment)
+                                  : assignment.value;
+    const std::string problem = entry->pattern.problem(value);
     if (!problem.empty())
-      throw InputError(fmt::format("{}: {} = {}: {}",
-                                   assignment.source,
-                                   entry->path(),
-                                   assignment.value,
-                                   problem));
-    entry->value = assignment.value;
+      throw InputError(fmt::format(
+          "{}: {} = {}: {}", assignment.source, entry->path(), value, problem));
+    entry->value = value;
     entry->source = assignment.source;
     entry->folder = assignment.folder;
-    with_section(handler, entry->section, [&] {
-      handler.set(entry->name, assignment.value);
-    });
+    with_section(
+        handler, entry->section, [&] { handler.set(entry->name, value); });
   }
 };
 
@@ -275,29 +275,25 @@ void ParameterTable::read(const std::filesystem::path &file)
 
 void ParameterTable::set(const std::string &assignment)
 {
-  const std::size_t equals = assignment.find('=');
-  const std::string source = fmt::format("--set \"{}\"", assignment);
-  if (equals == std::string::npos)
-    throw InputError(source + ": expected \"Section/Name = value\"");
-  Section section;
-  std::string_view path = trimmed(assignment).substr(0, equals);
-  path = trimmed(path.substr(0, path.find('=')));
-  std::size_t slash;
-  while ((slash = path.find('/')) != std::string_view::npos) {
-    section.emplace_back(trimmed(path.substr(0, slash)));
-    path.remove_prefix(slash + 1);
-  }
-  implementation_->take({section,
-                         std::string(trimmed(path)),
-                         std::string(trimmed(assignment.substr(equals + 1))),
-                         source,
-                         {}});
+  implementation_->take(read_setting(assignment));
 }
 
 double ParameterTable::number(const std::string &path) const
 {
+  const auto [name, number] = numbered_name(path);
+  if (number)
+    return numbers(name).at(*number - 1);
   const ParameterEntry &entry = implementation_->at(path);
   return parse_quantity(entry.value, entry.pattern.dimension);
+}
+
+std::optional<std::size_t>
+ParameterTable::list_size(const std::string &path) const
+{
+  for (const ParameterEntry &entry : implementation_->entries)
+    if (entry.path() == path && is_list(entry))
+      return split_list(entry.value).size();
+  return {};
 }
 
 std::vector<double> ParameterTable::numbers(const std::string &path) const

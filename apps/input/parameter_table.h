@@ -10,6 +10,7 @@
 #include <iterator>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -85,13 +86,17 @@ public:
   /// @{
   /// Takes the values of a .prm or, by its ending, .json file.
   void read(const std::filesystem::path &file);
-  /// Takes "Section/Name = value", as written after --set.
+  /// Takes "Section/Name = value", as written after --set, or one entry of a
+  /// list of numbers, "Section/Name[2] = value", counted from 1.
   void set(const std::string &assignment);
   /// @}
 
   /// @name Values in SI. The path must be one that was declared.
   /// @{
+  /// Of an entry of a list, too: "Section/Name[2]".
   double number(const std::string &path) const;
+  /// Entries of a list of numbers; none if the path is that of no list.
+  std::optional<std::size_t> list_size(const std::string &path) const;
   std::vector<double> numbers(const std::string &path) const;
   long whole(const std::string &path) const;
   std::vector<std::size_t> indices(const std::string &path) const;

@@ -127,7 +127,7 @@ std::string with_unit(const std::string &name, double value)
     return fmt::format("{:.4g} mm", value / 1e-3);
   if (ends("[s]") && value >= 0.1)
     return seconds(value);
-  const std::string unit = name.substr(name.find('[') + 1);
+  const std::string unit = name.substr(name.rfind('[') + 1);
   return ends("[-]")
              ? fmt::format("{:.4g}", value)
              : fmt::format("{:.4g} {}", value, unit.substr(0, unit.find(']')));
@@ -292,7 +292,7 @@ std::string RunRecord::summary() const
       if (first == i)
         text += fmt::format("\n{}\n", words);
     const auto &[name, value] = results[i];
-    std::string words = name.substr(0, name.find('['));
+    std::string words = name.substr(0, name.rfind('['));
     std::ranges::replace(words, '_', ' ');
     std::string said = with_unit(name, value);
     if (name.starts_with("time_") && name.ends_with("[s]") && wall > 0)

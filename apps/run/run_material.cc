@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <stdexcept>
+#include <vector>
 
 namespace tamp::apps
 {
@@ -28,12 +30,32 @@ std::string adhesion_doubt(const dem::ContactModel &model)
   return {};
 }
 
+std::string adjusted_pressure_doubt(const dem::PackingRequest &packing)
+{
+  if (packing.contact.normal_law != dem::NormalLaw::thornton_ning_adjusted)
+    return {};
+  const auto &adjusted = packing.material.adjusted_pressures;
+  if (adjusted.empty())
+    return "Contact/Limiting contact pressures is empty: the normal law is "
+           "thornton-ning";
+  std::vector<std::string> places;
+  for (const auto &[density, pressure] : adjusted)
+    places.push_back(
+        fmt::format("{:.4g} MPa at {:.4g}", pressure / 1e6, density));
+  return fmt::format(
+      "the limiting contact pressure p_y is adjusted to the relative density, "
+      "{}: a fit of a measured curve, no property of the grains and no "
+      "prediction for other paths",
+      fmt::join(places, ", "));
+}
+
 void warn_of_contact_model(RunSession &session)
 {
-  const std::string doubt =
-      adhesion_doubt(session.input().material.packing.contact);
-  if (!doubt.empty())
-    session.warn(doubt);
+  const dem::PackingRequest &packing = session.input().material.packing;
+  for (const std::string &doubt :
+       {adhesion_doubt(packing.contact), adjusted_pressure_doubt(packing)})
+    if (!doubt.empty())
+      session.warn(doubt);
 }
 
 std::size_t different_packings(const coupling::MaterialChoice &choice,

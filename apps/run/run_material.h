@@ -45,7 +45,12 @@ void warn_of_law(RunSession &session);
 /// What does not fit together in normal law and work of adhesion; else empty.
 std::string adhesion_doubt(const dem::ContactModel &model);
 
-/// Warns of a work of adhesion and a normal law that do not fit together.
+/// What a limiting contact pressure that is adjusted to the density is, with
+/// its values: a fit, no property of the grains. Empty for other normal laws.
+std::string adjusted_pressure_doubt(const dem::PackingRequest &packing);
+
+/// Warns of a work of adhesion and a normal law that do not fit together, and
+/// of limiting contact pressures that are adjusted.
 void warn_of_contact_model(RunSession &session);
 } // namespace tamp::apps
 

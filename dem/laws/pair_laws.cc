@@ -30,6 +30,8 @@ AnyNormalLaw normal_law(const ContactModel &model,
   case NormalLaw::mdr:
     return Mdr(
         first.youngs_modulus, first.poissons_ratio, pressure / small_contact);
+  case NormalLaw::thornton_ning_adjusted:
+    return AdjustedThorntonNing(modulus, pressure);
   default:
     return ThorntonNing(modulus, pressure);
   }
@@ -114,6 +116,19 @@ double spring_energy(const PairLaws &laws,
   return tangential +
          laws.rolling->stored(
              {m[0], m[1], m[2]}, {m[3], m[4], m[5]}, pair, push.contact_radius);
+}
+
+void check_adjusted(const ContactModel &model,
+                    const std::vector<GrainMaterial> &materials)
+{
+  if (model.normal_law == NormalLaw::thornton_ning_adjusted)
+    return;
+  for (const GrainMaterial &material : materials)
+    if (!material.adjusted_pressures.empty())
+      throw std::invalid_argument(
+          "the limiting contact pressure is adjusted to the density, which "
+          "needs the normal law thornton-ning-adjusted: all others take it "
+          "for constant");
 }
 
 void check_size(const PairLaws &laws, double reduced_radius)

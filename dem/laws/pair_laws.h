@@ -5,6 +5,7 @@
 #include <dem/grain_material.h>
 #include <dem/laws/adhesive_mindlin.h>
 #include <dem/laws/adhesive_thornton_ning.h>
+#include <dem/laws/adjusted_thornton_ning.h>
 #include <dem/laws/hertz.h>
 #include <dem/laws/jkr.h>
 #include <dem/laws/mdr.h>
@@ -18,13 +19,19 @@
 #include <cstddef>
 #include <optional>
 #include <variant>
+#include <vector>
 
 namespace tamp::dem
 {
 /// The list of normal laws, in the order of dem::NormalLaw. A new law is a new
 /// file and an entry here.
-using AnyNormalLaw = std::
-    variant<Hertz, ThorntonNing, Jkr, AdhesiveThorntonNing, Storakers, Mdr>;
+using AnyNormalLaw = std::variant<Hertz,
+                                  ThorntonNing,
+                                  Jkr,
+                                  AdhesiveThorntonNing,
+                                  Storakers,
+                                  Mdr,
+                                  AdjustedThorntonNing>;
 
 /// The list of tangential laws.
 using AnyTangentialLaw = std::
@@ -65,6 +72,11 @@ double spring_energy(const PairLaws &laws,
                      const NormalAnswer<double> &push,
                      const Triple<double> &force,
                      const double *own);
+
+/// Throws std::invalid_argument if a limiting contact pressure is adjusted to
+/// the density under a law that takes it for constant.
+void check_adjusted(const ContactModel &model,
+                    const std::vector<GrainMaterial> &materials);
 
 /// Throws std::invalid_argument if the laws do not hold for grains so small:
 /// see AdhesiveThorntonNing::check().

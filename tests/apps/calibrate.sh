@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 # tamp calibrate finds parameters that are known, or says that the data cannot
 # tell; killed and resumed, or on other threads, it leaves the same bytes.
-# Usage: calibrate.sh TAMP cells|law|die|die_cells|resume|refused
+# Usage: calibrate.sh TAMP adjusted|cells|law|die|die_cells|resume|refused
 source "$(dirname "${BASH_SOURCE[0]}")/expect.sh"
 part=$2
 
@@ -27,7 +27,8 @@ measure() {
 
 # result FOLDER NAME: a key result of a run, whatever its unit.
 result() {
-  sed -n "s|^ *\"$2\[[^]]*\]\": \([^,]*\),*\$|\1|p" "$1/run.json"
+  local name=${2//[/\\[}
+  sed -n "s|^ *\"$name\[[^]]*\]\": \([^,]*\),*\$|\1|p" "$1/run.json"
 }
 
 # told FOLDER PARAMETER TRUTH: within 10 %, or said to be not known.
@@ -108,6 +109,35 @@ case $part in
     for file in calibration.csv best.prm curve.csv residuals.csv; do
       cmp fit_3/$file killed/$file
     done
+    ;;
+  # p_y over density, known in its two entries; another packing, 2 % noise.
+  adjusted)
+    pressures='Contact/Limiting contact pressures'
+    adjusted=(--set 'Contact/Normal law = thornton-ning-adjusted'
+      --set 'Contact/Densities of limiting contact pressures = 0.65, 0.8'
+      --set 'Packing/Friction during packing = 0.3' --no-plots -q)
+    said='no property of the grains and no prediction for other paths'
+    "$tamp" probe cell.prm -o truth "${adjusted[@]}" \
+      --set 'Packing/Seed = 9' --set 'Grains/Count = 120' \
+      --set "$pressures = 20, 120 MPa"
+    grep -q "$said" truth/summary.txt || fail 'summary.txt: no word of a fit'
+    grep -q "$said" truth/log.txt || fail 'log.txt: no word of a fit'
+    measure truth 1 0.02 > data.csv
+    "$tamp" calibrate cell.prm --data data.csv -o fit "${adjusted[@]}" \
+      --set "$pressures = 50, 50 MPa" --runs 15 --packings 3 \
+      --fit "$pressures[1] = 5 MPa .. 100 MPa" \
+      --fit "$pressures[2] = 20 MPa .. 400 MPa"
+    told fit "$pressures[1]" 20e6
+    told fit "$pressures[2]" 120e6
+    near fit "$pressures[1]" 20e6 0.3
+    near fit "$pressures[2]" 120e6 0.2
+    grep -q "$said" fit/summary.txt || fail 'the fit is not labelled'
+    grep -q "$said" fit/best.prm || fail 'best.prm is not labelled'
+    grep -q 'set Limiting contact pressures *= [0-9.e+]*, [0-9.e+]* # \[Pa\]' \
+      fit/best.prm || fail 'best.prm holds no list'
+    "$tamp" probe fit/best.prm -o again --no-plots -q
+    peak=$(awk -F, '!/^#/ && $1 == 0 { p = $3 } END { print p }' fit/curve.csv)
+    grep -qF "$peak" again/run.json || fail "best.prm gives another peak"
     ;;
   law)
     "$tamp" probe law.prm -o truth --no-plots -q \
@@ -246,6 +276,13 @@ END_OF_INPUT
     expect 2 'a pressure' -- try --fit "$yield = 1 mm .. 2 mm"
     expect 2 'cannot be fitted' -- \
       try --fit 'Packing/Pressure = 1 MPa .. 2 MPa'
+    elastic="Material/Elastic/Young's modulus"
+    expect 2 'is a list with 2 entries; expected one of them' -- \
+      try --set "$elastic = 1, 2 GPa" --fit "$elastic = 1 GPa .. 2 GPa"
+    expect 2 'expected one of its entries, [1] to [2]' -- \
+      try --set "$elastic = 1, 2 GPa" --fit "$elastic[3] = 1 GPa .. 2 GPa"
+    expect 2 'is no list of numbers' -- \
+      try --fit "$yield[1] = 1 MPa .. 2 MPa"
     expect 2 '--fit' -- try --fit 'Grains/Count = 100 .. 200'
     expect 2 '--fit' -- try --fit 'Material/Type = 1 .. 2'
     data=no.csv expect 2 "there is no measured curve" -- \

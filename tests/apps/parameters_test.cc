@@ -116,6 +116,85 @@ TEST_F(Parameters, AUnitAfterTheLastValueHoldsForAll)
   EXPECT_DOUBLE_EQ(values[2], 3e6);
 }
 
+TEST_F(Parameters, OneEntryOfAListIsSetAndTheOthersStay)
+{
+  table.set("Material/Elastic/Young's modulus = 1, 2 GPa, 3 MPa");
+  table.set("Material/Elastic/Young's modulus[2] = 50 MPa");
+  table.set("Material/Elastic/Young's modulus[3] = 7000");
+  const auto values = table.numbers("Material/Elastic/Young's modulus");
+  EXPECT_EQ(values, (std::vector<double>{1e6, 50e6, 7000}));
+  EXPECT_EQ(table.number("Material/Elastic/Young's modulus[2]"), 50e6);
+  EXPECT_EQ(table.list_size("Material/Elastic/Young's modulus"), 3u);
+  EXPECT_FALSE(table.list_size("Grains/Count"));
+  table.set("Die/Elements = 2, 3");
+  table.set("Die/Elements[1] = 4");
+  EXPECT_EQ(table.indices("Die/Elements"), (std::vector<std::size_t>{4, 3}));
+}
+
+TEST_F(Parameters, AnEntryThatAListHasNotIsRefusedWithTheReason)
+{
+  const auto says = [&](const std::string &setting, const std::string &part) {
+    try {
+      table.set(setting);
+      ADD_FAILURE() << setting;
+    } catch (const InputError &error) {
+      const std::string text = error.what();
+      EXPECT_NE(text.find("--set \"" + setting), std::string::npos) << text;
+      EXPECT_NE(text.find(part), std::string::npos) << text;
+    }
+  };
+  table.set("Material/Elastic/Young's modulus = 1, 2 GPa");
+  says("Material/Elastic/Young's modulus[3] = 1 GPa", "[1] to [2]");
+  says("Material/Elastic/Young's modulus[0] = 1 GPa", "[1] to [2]");
+  says("Material/Elastic/Young's modulus[1] = 1 mm", "a pressure");
+  says("Material/Elastic/Young's modulus[1] = 1, 2", "a pressure");
+  says("Grains/Young's modulus[1] = 1 GPa", "is no list of numbers");
+  says("Contact/Limiting contact pressures[1] = 1 GPa", "is empty");
+  says("Contact/Limiting presures[1] = 1 GPa",
+       "did you mean 'Limiting contact pressures'");
+  says("Die/Elements[1] = 2.5", "a whole number");
+}
+
+TEST_F(Parameters, PressuresAdjustedToTheDensityAreTaken)
+{
+  table.set("Contact/Normal law = thornton-ning-adjusted");
+  table.set("Contact/Limiting contact pressures = 20, 60, 200 MPa");
+  table.set("Contact/Densities of limiting contact pressures = 0.6, 0.7, 0.85");
+  const auto material =
+      read_input(table, Need::probe).material.packing.material;
+  EXPECT_EQ(material.adjusted_pressures,
+            (std::vector<tamp::dem::PressureAtDensity>{
+                {0.6, 20e6}, {0.7, 60e6}, {0.85, 200e6}}));
+}
+
+TEST_F(Parameters, PressuresAdjustedToTheDensityThatAreNoneAreRefused)
+{
+  const auto says = [&](const std::string &part) {
+    try {
+      read_input(table, Need::probe);
+      ADD_FAILURE() << part;
+    } catch (const InputError &error) {
+      const std::string text = error.what();
+      EXPECT_NE(text.find(part), std::string::npos) << text;
+    }
+  };
+  table.set("Contact/Limiting contact pressures = 20, 60, 200 MPa");
+  says("Contact/Densities of limiting contact pressures = , which are 0");
+  table.set("Contact/Densities of limiting contact pressures = 0.6, 0.7");
+  says("which are 2");
+  table.set("Contact/Densities of limiting contact pressures = 0.6, 0.7, 0.8");
+  says("expected Contact/Normal law = thornton-ning-adjusted; thornton-ning");
+  for (const char *law : {"thornton-ning-jkr", "mdr", "storakers"}) {
+    table.set(std::string("Contact/Normal law = ") + law);
+    says(law);
+  }
+  table.set("Contact/Normal law = thornton-ning-adjusted");
+  EXPECT_NO_THROW(read_input(table, Need::probe));
+  EXPECT_THROW(read_input(table, Need::contact), InputError);
+  table.set("Contact/Densities of limiting contact pressures[3] = 0.7");
+  says("expected densities that rise");
+}
+
 TEST_F(Parameters, AFreeEjectionOfCellsIsRefusedWithTheReason)
 {
   table.set("Schedule/Stages = press to density 0.8; eject to rim holding 0 % "

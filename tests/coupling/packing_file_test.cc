@@ -94,6 +94,16 @@ TEST_F(PackingFile, GrownGrainsKeepBothSizes)
   EXPECT_EQ(read_packing(path("a.txt")).radius, cell.initial_radius);
 }
 
+TEST_F(PackingFile, AdjustedPressuresOfEachMaterialAreKept)
+{
+  dem::UnitCell cell = test::adjusted_cell();
+  cell.materials.push_back(cell.materials[0]);
+  cell.materials[1].adjusted_pressures = {{0.7, 1e8}};
+  cell.materials.push_back({1e9, 0.25, 1500, 2e7});
+  write_packing(cell, path("a.h5"));
+  EXPECT_EQ(read_packing(path("a.h5")), cell);
+}
+
 TEST_F(PackingFile, FilesFromBeforeGrainsGrewAreRead)
 {
   // 30 grains, written before there were initial sizes and a bulk onset.

@@ -56,6 +56,19 @@ inline const dem::UnitCell &growing_cell()
   return cell;
 }
 
+/// Granules whose limiting contact pressure rises steeply with the density,
+/// made once.
+inline const dem::UnitCell &adjusted_cell()
+{
+  static const dem::UnitCell cell = [] {
+    dem::PackingRequest request = granules();
+    request.contact.normal_law = dem::NormalLaw::thornton_ning_adjusted;
+    request.material.adjusted_pressures = {{0.58, 20e6}, {0.64, 200e6}};
+    return make_packing(request);
+  }();
+  return cell;
+}
+
 /// A uniaxial increment.
 inline fem::Deformation pressed(double strain)
 {

@@ -19,8 +19,25 @@ struct ContractTraits<GrowingCells> : ContractTraits<UnitCells> {
   }
 };
 
+/// Cells whose limiting contact pressure follows their density.
+struct AdjustedCells {
+};
+
+template <>
+struct ContractTraits<AdjustedCells> : ContractTraits<UnitCells> {
+  static std::unique_ptr<MaterialPoints> make()
+  {
+    return std::make_unique<coupling::UnitCellPoints>(
+        std::vector<dem::UnitCell>(3, coupling::test::adjusted_cell()),
+        coupling::test::cold());
+  }
+};
+
 INSTANTIATE_TYPED_TEST_SUITE_P(Grains, MaterialPointsContract, UnitCells);
 INSTANTIATE_TYPED_TEST_SUITE_P(GrowingGrains,
                                MaterialPointsContract,
                                GrowingCells);
+INSTANTIATE_TYPED_TEST_SUITE_P(AdjustedPressure,
+                               MaterialPointsContract,
+                               AdjustedCells);
 } // namespace tamp::fem::contract

@@ -148,7 +148,8 @@ INSTANTIATE_TEST_SUITE_P(
                                      NormalLaw::thornton_ning,
                                      NormalLaw::jkr,
                                      NormalLaw::thornton_ning_jkr,
-                                     NormalLaw::storakers),
+                                     NormalLaw::storakers,
+                                     NormalLaw::thornton_ning_adjusted),
                      testing::Values(TangentialLaw::none,
                                      TangentialLaw::mindlin,
                                      TangentialLaw::mindlin_deresiewicz)));

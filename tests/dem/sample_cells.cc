@@ -115,7 +115,8 @@ std::vector<ContactModel> every_contact_model()
                            NormalLaw::thornton_ning,
                            NormalLaw::jkr,
                            NormalLaw::thornton_ning_jkr,
-                           NormalLaw::storakers})
+                           NormalLaw::storakers,
+                           NormalLaw::thornton_ning_adjusted})
     for (TangentialLaw tangential : {TangentialLaw::none,
                                      TangentialLaw::mindlin,
                                      TangentialLaw::mindlin_deresiewicz})

@@ -59,6 +59,22 @@ TEST(UnitCellBytes, EveryLawAndTwoSpeciesReplayToTheLastBit)
   }
 }
 
+TEST(UnitCellBytes, AdjustedPressuresReplayToTheLastBit)
+{
+  UnitCell cell =
+      test::fcc_cell(1e-3, {.normal_law = NormalLaw::thornton_ning_adjusted});
+  test::mix_species(cell);
+  cell.contacts.clear(); // they were those of one species
+  cell.more_memory.clear();
+  cell.materials[1].adjusted_pressures = {{0.72, 2e7}, {0.75, 4e8}};
+  for (int k = 0; k < 3; ++k) {
+    UnitCell again = from_bytes(bytes_of(cell));
+    ASSERT_EQ(again, cell);
+    EXPECT_EQ(press(again).stress, press(cell).stress);
+    EXPECT_EQ(bytes_of(again), bytes_of(cell));
+  }
+}
+
 TEST(UnitCellBytes, EqualCellsGiveEqualBytesWhateverLiesBetweenTheirMembers)
 {
   const ContactModel model;
@@ -95,7 +111,7 @@ void expect_refused(const Change &change)
 TEST(UnitCellBytes, LawsThatThereAreNotAreRefused)
 {
   expect_refused(
-      [](UnitCell &cell) { cell.contact.normal_law = NormalLaw(6); });
+      [](UnitCell &cell) { cell.contact.normal_law = NormalLaw(7); });
   expect_refused(
       [](UnitCell &cell) { cell.contact.normal_law = NormalLaw(-1); });
   expect_refused(
@@ -118,6 +134,9 @@ TEST(UnitCellBytes, SizesThatAreNoneAreRefused)
 TEST(UnitCellBytes, UnphysicalConstantsAreRefused)
 {
   expect_refused([](UnitCell &cell) { cell.materials[0].youngs_modulus = 0; });
+  expect_refused([](UnitCell &cell) { // the law takes it for constant
+    cell.materials[0].adjusted_pressures = {{0.6, 1e8}};
+  });
   expect_refused(
       [](UnitCell &cell) { cell.contact.friction_coefficient = -1; });
   expect_refused(

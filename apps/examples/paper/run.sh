@@ -141,6 +141,11 @@ for limit in $limits; do
     "Contact/Limiting contact pressure = $limit MPa"
 done
 if [ -z "${COARSE:-}" ]; then
+  # p_y raised while the granules are pressed, over the range of Table II.
+  table_one granules_adjusted "$tenth" "Packing/Cell shape = $shape" \
+    "Contact/Normal law = thornton-ning-adjusted" \
+    "Contact/Limiting contact pressures = 20, 200 MPa" \
+    "Contact/Densities of limiting contact pressures = 0.7, 0.85"
   grains=1000
   table_one granules_mdr "$tenth" "Packing/Cell shape = 0" \
     "Contact/Normal law = mdr" "Contact/Bulk onset = 0.3" \

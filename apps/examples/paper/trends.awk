@@ -156,6 +156,9 @@ function granules(p,    k, run, first, worst, least, easy, low, high, x) {
   if (("granules_mdr", p, peak, "density") in state)
     verdict("Q7c", p, stage_three("granules_mdr", p), \
             stage_three("granules_mdr", p) < 1)
+  if (("granules_adjusted", p, peak, "density") in state)
+    verdict("Q7g", p, stage_three("granules_adjusted", p), \
+            stage_three("granules_adjusted", p) < 1)
   verdict("Q7d", p, worst, worst < 0.25)
   if (("granules_mdr", p, peak, "density") in state) {
     x = settling("granules_mdr", p)

@@ -21,7 +21,8 @@ constexpr std::array normal_laws = {NormalLaw::hertz,
                                     NormalLaw::jkr,
                                     NormalLaw::thornton_ning_jkr,
                                     NormalLaw::storakers,
-                                    NormalLaw::mdr};
+                                    NormalLaw::mdr,
+                                    NormalLaw::thornton_ning_adjusted};
 constexpr std::array tangential_laws = {TangentialLaw::none,
                                         TangentialLaw::mindlin,
                                         TangentialLaw::mindlin_deresiewicz};

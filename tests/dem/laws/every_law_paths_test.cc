@@ -172,7 +172,8 @@ std::string name_of(const testing::TestParamInfo<Laws> &laws)
                                 "Jkr",
                                 "AdhesiveThorntonNing",
                                 "Storakers",
-                                "Mdr"};
+                                "Mdr",
+                                "AdjustedThorntonNing"};
   constexpr std::array rubs = {"Smooth", "Mindlin", "MindlinDeresiewicz"};
   const auto [normal, tangential] = laws.param;
   return std::string(names.at(std::size_t(normal))) +

@@ -8,11 +8,14 @@
 // What holds for every contact law, as cells use it. What a law says of itself
 // is in its own test:
 //   virgin curve, unloading    hertz, thornton_ning, storakers, jkr,
-//                              adhesive_thornton_ning, mdr, sphere_on_flat
+//                              adhesive_thornton_ning,
+//                              adjusted_thornton_ning, mdr, sphere_on_flat
 //   slopes, energy             the same
 //   energy on random paths     storakers, jkr, adhesive_thornton_ning (1e5
-//                              each), mdr (LossNeverFallsOnRandomPaths)
-//   packs and float            storakers, jkr, adhesive_thornton_ning, mdr,
+//                              each), adjusted_thornton_ning (whose pressure
+//                              changes), mdr (LossNeverFallsOnRandomPaths)
+//   packs and float            storakers, jkr, adhesive_thornton_ning,
+//                              adjusted_thornton_ning, mdr,
 //                              mindlin_deresiewicz; the sweep of every law in
 //                              instruction_sets_test.cc
 //   slip, cap, heat            mindlin, adhesive_mindlin, mindlin_deresiewicz
@@ -166,7 +169,8 @@ TEST(EveryLaw, UnreachedYieldingFallsBack)
   for (auto [yielding, elastic] :
        {std::pair(NormalLaw::thornton_ning, NormalLaw::hertz),
         std::pair(NormalLaw::thornton_ning_jkr, NormalLaw::jkr),
-        std::pair(NormalLaw::mdr, NormalLaw::hertz)})
+        std::pair(NormalLaw::mdr, NormalLaw::hertz),
+        std::pair(NormalLaw::thornton_ning_adjusted, NormalLaw::hertz)})
     for (TangentialLaw tangential : tangential_laws)
       Twins{AnyContact(model_of(yielding, tangential), hard),
             AnyContact(model_of(elastic, tangential))}
