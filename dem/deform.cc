@@ -21,6 +21,8 @@ void Driving::check() const
     refuse("time step fraction", dynamics.time_step_fraction, "at most 1");
   if (!(dynamics.global_damping >= 0))
     refuse("global damping", dynamics.global_damping, "zero or positive");
+  if (!(dynamics.local_damping >= 0 && dynamics.local_damping < 1))
+    refuse("local damping", dynamics.local_damping, "from 0 to below 1");
 }
 
 CellAnswer deform(UnitCell &cell,

@@ -50,6 +50,10 @@ struct Dynamics {
   double time_step_fraction = 0.2; ///< of the Rayleigh time step [-]
   /// beta_g as a share of the critical damping of a mean grain [-].
   double global_damping = 0.05;
+  /// Share taken off each component of force and torque of a grain while it
+  /// drives the motion, and added while it brakes it [-]. Source: Cundall
+  /// (1987).
+  double local_damping = 0;
 };
 
 struct Driving {

@@ -105,6 +105,7 @@ MotionIn<T>::MotionIn(UnitCell &cell,
   }
   damping_ =
       2 * settings.global_damping * total / double(cell_.size()) / rayleigh_;
+  step_.local_damping = settings.local_damping;
   // Rotation is damped at the same rate as translation for a mean grain.
   const double radius = cell_.mean_radius();
   spin_damping_ = 0.4 * damping_ * radius * radius;
@@ -212,10 +213,13 @@ void MotionIn<T>::half_kick(bool first)
       const double damping = turning ? spin_damping_ / (r * r) : damping_;
       double &velocity = grains_[i].velocity[k];
       const double before = velocity, a = half * damping / inertia;
-      const double push = half / inertia * double(layout_.rows()[i].force[k]);
+      const double force = layout_.rows()[i].force[k];
+      const double drag = step_.local_damping * std::copysign(force, before);
+      const double push = half / inertia * (force - drag);
       velocity =
           first ? (velocity + push) / (1 + a) : (1 - a) * velocity + push;
-      heat += 0.5 * damping * (first ? velocity : before) * (velocity + before);
+      heat += 0.5 * (damping * (first ? velocity : before) + drag) *
+              (velocity + before);
     }
   cell_.energy.damping_dissipation += heat * half;
 }

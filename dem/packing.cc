@@ -4,6 +4,7 @@
 #include <dem/deform.h>
 #include <dem/packing.h>
 #include <dem/random_start.h>
+#include <dem/servo.h>
 #include <dem/unit_cell.h>
 #include <dem/value_check.h>
 
@@ -14,7 +15,28 @@ namespace tamp::dem
 namespace
 {
 constexpr std::size_t most_others = 254; // a species is a byte
+
+/// Packs by damped motion under a servo; grains are at rest then.
+void pack_by_dynamics(UnitCell &cell,
+                      const PackingRequest &request,
+                      const CompressionObserver &observe)
+{
+  ServoGoal goal;
+  goal.pressure = request.goal.pressure;
+  goal.most_steps = 20000000; // minutes
+  const CellAnswer answer =
+      servo_to_pressure(cell, goal, *request.dynamics, {}, observe);
+  if (answer.outcome != Outcome::settled)
+    throw std::runtime_error(
+        "the packing did not come to rest by dynamics at a pressure of " +
+        std::to_string(goal.pressure) + " Pa; it stands at " +
+        std::to_string(goal_pressure(Compression::isotropic, answer.stress)) +
+        " Pa with a relative density of " +
+        std::to_string(cell.relative_density()));
+  cell.velocity.clear();
+  cell.spin.clear();
 }
+} // namespace
 
 void PackingRequest::check() const
 {
@@ -49,6 +71,10 @@ void PackingRequest::check() const
     refuse("relative density of the packing",
            goal.relative_density,
            "at least the initial relative density");
+  if (dynamics && (goal.target != CompressionTarget::pressure ||
+                   goal.compression != Compression::isotropic))
+    throw std::invalid_argument(
+        "packing by dynamics: it is for isotropic compression to a pressure");
   (void)cell_shape(*this);
 }
 
@@ -68,7 +94,10 @@ void finish_packing(UnitCell &cell,
   CellLaws(cell).check(cell);
   if (request.friction_during_packing >= 0)
     cell.contact.friction_coefficient = request.friction_during_packing;
-  compress(cell, request.goal, observe);
+  if (request.dynamics)
+    pack_by_dynamics(cell, request, observe);
+  else
+    compress(cell, request.goal, observe);
   if (cell.contact != request.contact) {
     // Contacts that the friction of the run cannot hold slip now.
     cell.contact = request.contact;

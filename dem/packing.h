@@ -3,11 +3,13 @@
 #define dem_packing_h
 
 #include <dem/compression.h>
+#include <dem/deform.h>
 #include <dem/grain_material.h>
 #include <dem/grain_sizes.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace tamp::dem
@@ -35,6 +37,9 @@ struct PackingRequest {
   /// Edge along z over the lateral edges of the loose start [-]; 0: chosen by
   /// cell_shape().
   double edge_ratio = 0;
+  /// Damped motion by which grains are packed, under a servo; without, by the
+  /// quasi-static map. Isotropic compression to a pressure only.
+  std::optional<Dynamics> dynamics;
   /// mu while packing [-]; negative: that of the contact model.
   double friction_during_packing = -1;
 

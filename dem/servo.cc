@@ -16,12 +16,26 @@ namespace
 // Time steps between two looks at the pressure, and looks after which stiffness
 // and time step are taken anew.
 constexpr std::size_t steps_between_looks = 5, looks_of_a_round = 100;
+// Looks between two reports to an observer.
+constexpr std::size_t looks_between_reports = 1000;
+
+/// What an observer is told of a motion whose cell is complete.
+CellAnswer report_of(const Motion &motion, std::size_t steps_before)
+{
+  CellAnswer answer;
+  answer.outcome = Outcome::unsettled;
+  answer.stress = motion.stress();
+  answer.unbalance = motion.unbalance();
+  answer.evaluations = motion.steps() - steps_before;
+  return answer;
+}
 } // namespace
 
 CellAnswer servo_to_pressure(UnitCell &cell,
                              const ServoGoal &goal,
                              const Dynamics &settings,
-                             const Arithmetic &arithmetic)
+                             const Arithmetic &arithmetic,
+                             const CompressionObserver &observe)
 {
   Positive{}(goal.pressure, "pressure of the servo");
   CellLaws(cell).check(cell);
@@ -30,11 +44,16 @@ CellAnswer servo_to_pressure(UnitCell &cell,
   const auto motion = start_growing_motion(cell, settings, arithmetic);
   Outcome outcome = Outcome::unsettled;
   double step = 0, stiffness = 0, missing = goal.pressure;
+  std::size_t reported = 0;
   for (std::size_t look = 0; motion->steps() < goal.most_steps; ++look) {
     if (look % looks_of_a_round == 0) {
       motion->write_cell();
       step = motion->time_step();
       stiffness = voigt_tangent(cell).topLeftCorner<3, 3>().sum() / 3;
+    }
+    if (observe && look > 0 && look % looks_between_reports == 0) {
+      observe(cell, report_of(*motion, reported));
+      reported = motion->steps();
     }
     missing = goal.pressure + motion->stress().trace() / 3;
     const double time = step * double(steps_between_looks);
@@ -50,6 +69,12 @@ CellAnswer servo_to_pressure(UnitCell &cell,
       break;
     }
   }
-  return end_motion(*motion, outcome);
+  const CellAnswer answer = end_motion(*motion, outcome);
+  if (observe && outcome != Outcome::diverged) {
+    CellAnswer last = answer;
+    last.evaluations -= reported;
+    observe(cell, last);
+  }
+  return answer;
 }
 } // namespace tamp::dem

@@ -2,6 +2,7 @@
 #ifndef dem_servo_h
 #define dem_servo_h
 
+#include <dem/compression.h>
 #include <dem/deform.h>
 
 #include <cstddef>
@@ -21,11 +22,14 @@ struct ServoGoal {
 /// Deforms a cell isotropically by damped dynamics at the rate g (p_d - p), g
 /// as in ServoGain, until the pressure is reached at rest. `unsettled` if the
 /// goal is not met in the steps allowed; then the cell is where it came to.
+/// @param observe  told of the cell every few thousand time steps, with the
+///                 evaluations since; may be empty
 /// Source: Sheng et al. (2004), eqs (7) and (8).
 CellAnswer servo_to_pressure(UnitCell &cell,
                              const ServoGoal &goal,
                              const Dynamics &settings,
-                             const Arithmetic &arithmetic = {});
+                             const Arithmetic &arithmetic = {},
+                             const CompressionObserver &observe = {});
 } // namespace tamp::dem
 
 #endif

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <apps/input/cell_parameters.h>
 #include <apps/input/contact_parameters.h>
 #include <apps/input/input_sections.h>
 #include <apps/input/parameter_table.h>
@@ -18,7 +19,6 @@ const std::vector<std::string> distributions{
     "uniform", "normal", "lognormal", "table"};
 const std::vector<std::string> compressions{"isotropic", "uniaxial"};
 const std::vector<std::string> targets{"pressure", "relative density"};
-const std::vector<std::string> methods{"quasi-static", "dynamics"};
 
 constexpr const char *second = "Second species";
 
@@ -123,6 +123,13 @@ void declare_packing(ParameterTable &table)
                compressions,
                "How loose packings are compressed: alike in all directions, or "
                "along the die axis z with the sides held, as a die is filled");
+  table.choice(
+      "Method",
+      "quasi-static",
+      methods,
+      "How grains follow the compression: through equilibria, or by the "
+      "damped motion of section Cell, in which they hit each other on "
+      "the way; dynamics: isotropic compression to a pressure only");
   table.choice("Target",
                "pressure",
                targets,
@@ -171,60 +178,6 @@ void declare_packing(ParameterTable &table)
                 1,
                 1,
                 "Packings that tamp pack makes; the first is number Sample");
-  table.leave();
-}
-
-void declare_cell(ParameterTable &table)
-{
-  table.enter("Cell");
-  table.choice("Method",
-               "quasi-static",
-               methods,
-               "How grains follow a strain: static equilibrium, or damped "
-               "motion at a strain rate");
-  table.quantity("Unbalance tolerance",
-                 "1e-3",
-                 dimension::number,
-                 {0, 0.1, true, false},
-                 "Mean force on a grain over mean contact force, at "
-                 "equilibrium; quasi-static");
-  table.quantity("Maximum strain increment",
-                 "1e-2",
-                 dimension::number,
-                 {0, 0.1, true, false},
-                 "A larger one is divided; quasi-static");
-  table.integer("Maximum evaluations",
-                3000,
-                10,
-                "Of all contact forces for an increment; quasi-static");
-  table.flag("Warm start",
-             true,
-             "Start from the last trial of the same step: half the work, same "
-             "answer within the tolerance; quasi-static");
-  table.choice("Precision",
-               "double",
-               {"double", "mixed"},
-               "Mixed: forces in single, places in double precision");
-  table.quantity("Strain rate",
-                 "1e-5 1/s",
-                 dimension::rate,
-                 positive,
-                 "Largest principal rate; dynamics");
-  table.quantity("Density scaling",
-                 "1e12",
-                 dimension::number,
-                 positive,
-                 "Factor on the density of the grains; dynamics");
-  table.quantity("Time step fraction",
-                 "0.2",
-                 dimension::number,
-                 {0, 1, true, false},
-                 "Of the Rayleigh time step; dynamics");
-  table.quantity("Global damping",
-                 "0.05",
-                 dimension::number,
-                 not_negative,
-                 "Share of the critical damping of a mean grain; dynamics");
   table.leave();
 }
 
@@ -371,20 +324,9 @@ void read_grains(const ParameterTable &table,
   material.first_packing =
       static_cast<std::size_t>(table.whole("Packing/Sample"));
 
-  dem::Driving &driving = material.driving;
-  driving.method = chosen<dem::Method>(table, "Cell/Method", methods);
-  if (table.word("Cell/Precision") == "mixed")
-    driving.arithmetic.precision = dem::Precision::mixed;
-  driving.quasi_static.unbalance_tolerance =
-      table.number("Cell/Unbalance tolerance");
-  driving.quasi_static.maximum_strain_increment =
-      table.number("Cell/Maximum strain increment");
-  driving.quasi_static.maximum_evaluations =
-      static_cast<std::size_t>(table.whole("Cell/Maximum evaluations"));
-  driving.dynamics.strain_rate = table.number("Cell/Strain rate");
-  driving.dynamics.density_scaling = table.number("Cell/Density scaling");
-  driving.dynamics.time_step_fraction = table.number("Cell/Time step fraction");
-  driving.dynamics.global_damping = table.number("Cell/Global damping");
+  read_cell(table, material.driving);
+  if (table.word("Packing/Method") == "dynamics")
+    packing.dynamics = material.driving.dynamics;
   material.warm = table.on("Cell/Warm start");
 }
 } // namespace tamp::apps

@@ -38,7 +38,8 @@ void check_cells(const ParameterTable &table,
                       "Strain rate",
                       "Density scaling",
                       "Time step fraction",
-                      "Global damping"}),
+                      "Global damping",
+                      "Local damping"}),
                [&] { material.driving.check(); });
 }
 

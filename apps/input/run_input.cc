@@ -128,7 +128,8 @@ void check_packing(const ParameterTable &table,
     for (const auto &[begin, path] :
          {std::pair("grain count", "Grains/Count"),
           std::pair("edge ratio", "Packing/Cell shape"),
-          std::pair("relative density of", "Packing/Relative density")})
+          std::pair("relative density of", "Packing/Relative density"),
+          std::pair("packing by dynamics", "Packing/Method")})
       if (problem.starts_with(begin))
         table.complain(path, problem);
     throw InputError(problem);

@@ -91,7 +91,7 @@ TimeStepSums advance(const TimeStep &step,
                      MovingGrain *grains,
                      std::size_t count)
 {
-  const RowPack length(step.length), half(0.5);
+  const RowPack length(step.length), half(0.5), local(step.local_damping);
   const RowMatrix stretch(step.stretch);
   const RowPack constants = constants_of_row();
   RowPack heat(0.0), fastest2(0.0);
@@ -100,11 +100,12 @@ TimeStepSums advance(const TimeStep &step,
     const RowPack gain = RowPack::halves(grain.gain[0], grain.gain[1]);
     const RowPack damping = RowPack::halves(grain.damping[0], grain.damping[1]);
     const RowPack old = RowPack::load(grain.velocity);
-    const RowPack velocity =
-        old + gain * (RowPack::load(rows[i].force) - damping * old);
+    const RowPack force = RowPack::load(rows[i].force);
+    const RowPack drag = local * with_sign_of(force, old);
+    const RowPack velocity = old + gain * (force - drag - damping * old);
     velocity.store(grain.velocity);
     const RowPack middle = half * (old + velocity);
-    heat = multiply_add(damping, middle * middle, heat);
+    heat = heat + (damping * middle + drag) * middle;
     fastest2 = larger(fastest2, velocity * velocity);
 
     const RowPack way = length * velocity;

@@ -47,8 +47,9 @@ struct alignas(64) MovingGrain {
 
 /// One time step of all grains.
 struct TimeStep {
-  double length;     ///< [s]
-  double stretch[9]; ///< of the box in the step, row by row [-]
+  double length;            ///< [s]
+  double local_damping = 0; ///< share taken off each force [-]
+  double stretch[9];        ///< of the box in the step, row by row [-]
 };
 
 /// What a time step tells.

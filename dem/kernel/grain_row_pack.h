@@ -92,6 +92,12 @@ public:
   {
     return apply(a, b, [](P x, P y) { return max(x, y); });
   }
+  /// The size of a with the sign of b.
+  friend RowPack with_sign_of(const RowPack &a, const RowPack &b)
+  {
+    return apply(
+        a, b, [](P x, P y) { return P(hn::CopySign(x.lanes, y.lanes)); });
+  }
   friend RowPack root(const RowPack &a)
   {
     return apply(a, a, [](P x, P) { return sqrt(x); });

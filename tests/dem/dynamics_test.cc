@@ -9,6 +9,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
+#include <utility>
 
 namespace tamp::dem
 {
@@ -151,22 +152,57 @@ TEST(Dynamics, WorkIsStoredDissipatedOrKinetic)
 
 TEST(Dynamics, SmoothElasticGrainsLoseNothingButByDamping)
 {
-  for (double damping : {0.0, 0.05}) {
+  for (const auto &[damping, local] :
+       {std::pair(0.0, 0.0), {0.05, 0.0}, {0.0, 0.3}}) {
     UnitCell cell = test::smooth_elastic_cell();
     Driving driving = driven(1e-4);
     driving.dynamics.global_damping = damping;
+    driving.dynamics.local_damping = local;
     driving.dynamics.time_step_fraction = 0.02;
     const double before = held_and_lost(cell, driving) - cell.energy.work;
     const double work_before = cell.energy.work;
     compress(cell, -0.01, 5, driving);
     EXPECT_EQ(cell.energy.plastic_dissipation, 0);
     EXPECT_EQ(cell.energy.friction_dissipation, 0);
-    EXPECT_EQ(cell.energy.damping_dissipation > 0, damping > 0);
+    EXPECT_EQ(cell.energy.damping_dissipation > 0, damping + local > 0);
     // Trapezoids of force and work over steps of 2e-2 Rayleigh steps.
     EXPECT_NEAR(held_and_lost(cell, driving) - cell.energy.work,
                 before,
                 1e-6 * (cell.energy.work - work_before));
   }
+}
+
+/// Two equal smooth grains that meet head on, in a resting box: the speed after
+/// over that before.
+double rebound(double local_damping)
+{
+  UnitCell cell;
+  cell.materials = {{70e9, 0.3, 2650}};
+  cell.contact.normal_law = NormalLaw::hertz;
+  cell.contact.tangential_law = TangentialLaw::none;
+  cell.box.h = 2e-3 * Matrix3::Identity();
+  cell.radius = {1e-4, 1e-4};
+  cell.species = {0, 0};
+  cell.place = {{0.5, 0.5, 0.4495}, {0.5, 0.5, 0.5500}};
+  cell.velocity = {{0, 0, 1}, {0, 0, -1}};
+  cell.spin = {Vector3::Zero(), Vector3::Zero()};
+  Dynamics settings;
+  settings.density_scaling = 1;
+  settings.global_damping = 0;
+  settings.local_damping = local_damping;
+  const auto motion = start_motion(cell, settings, {});
+  // They touch after 0.5 us, for 0.6 us.
+  EXPECT_TRUE(motion->advance(Matrix3::Zero(), 2000, 1e-9));
+  return cell.velocity[1].z();
+}
+
+TEST(Dynamics, LocalDampingIsARestitution)
+{
+  // Cundall (1987): e^2 = (1 - a) / (1 + a). The step in which grains turn back
+  // is one of 600.
+  for (double damping : {0.0, 0.3, 0.7})
+    EXPECT_NEAR(
+        rebound(damping), std::sqrt((1 - damping) / (1 + damping)), 2e-3);
 }
 
 TEST(Dynamics, MomentumIsConserved)

@@ -289,6 +289,9 @@ TEST(Driving, RefusalsNameTheValue)
   driving = {};
   driving.dynamics.global_damping = -0.5;
   EXPECT_NE(refusal(driving).find("global damping = -0.5"), std::string::npos);
+  driving = {};
+  driving.dynamics.local_damping = 1;
+  EXPECT_NE(refusal(driving).find("local damping = 1"), std::string::npos);
 }
 } // namespace
 } // namespace tamp::dem
