@@ -5,10 +5,10 @@
 source "$(dirname "${BASH_SOURCE[0]}")/begin.sh"
 # rectangular FILE: every line has as many fields as the header.
 rectangular() {
-  awk -F, '/^#/ { if (fields) exit 1; next }
+  awk -F, '/^#/ { if (fields) wrong = 1; next }
     !fields { fields = NF; next }
-    NF != fields { exit 1 }
-    END { exit !(fields && NR > 3) }' "$1" || fail "$1 is not a table"
+    NF != fields { wrong = 1 }
+    END { exit wrong || !fields || NR <= 3 }' "$1" || fail "$1 is not a table"
 }
 
 cat > law.prm << 'END'

@@ -55,7 +55,7 @@ if [ "$part" = ranks ]; then
   killed_on() {
     local ranks=$1 step=$((last * $2 / 20)) run
     shift 2
-    mpirun -np "$ranks" "${die[@]}" "$@" 2> err.txt &
+    nice mpirun -np "$ranks" "${die[@]}" "$@" 2> err.txt &
     run=$!
     until step_of killed && [ "$newest" -ge "$step" ]; do
       kill -0 "$run" 2> /dev/null || { cat err.txt; fail "before step $step"; }

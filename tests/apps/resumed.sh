@@ -20,7 +20,8 @@ step_of() {
 kill_after() {
   local signal=$1 step=$2 input=$3 folder=$4 run
   shift 4
-  "$tamp" "$command" "$input" -o "$folder" --no-plots -q "$@" 2> err.txt &
+  # Gives way to the loop that watches it, however busy the machine is.
+  nice "$tamp" "$command" "$input" -o "$folder" --no-plots -q "$@" 2> err.txt &
   run=$!
   until step_of "${watched:-$folder}" && [ "$newest" -ge "$step" ]; do
     kill -0 "$run" 2> /dev/null || break
