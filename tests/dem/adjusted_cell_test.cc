@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <numbers>
 #include <stdexcept>
 #include <string>
 #include <variant>
@@ -59,6 +60,26 @@ TEST(AdjustedCell, PressureIsThatOfTheTable)
   EXPECT_EQ(at(1.2), 40e6);
   EXPECT_TRUE(material.at_density(0.65).adjusted_pressures.empty());
   EXPECT_EQ(GrainMaterial().at_density(0.7), GrainMaterial());
+}
+
+TEST(AdjustedCell, TheSofterOfTwoMaterialsYieldsAtTheDensityOfTheCell)
+{
+  UnitCell cell =
+      test::fcc_cell(1e-3, {.normal_law = NormalLaw::thornton_ning_adjusted});
+  test::mix_species(cell); // the second yields at 1.2 GPa
+  const double density = cell.relative_density(), radius = 5e-5;
+  cell.materials[0].adjusted_pressures = {{density - 0.1, 20e6},
+                                          {density + 0.1, 80e6}};
+  const CellLaws laws(cell);
+  const auto slope = [&](std::size_t kind) {
+    double more[AdjustedThorntonNing::more] = {};
+    return std::get<AdjustedThorntonNing>(laws.of_kind(kind).normal)
+        .loading_slope(0.1 * radius, {4 * radius, radius, 0, 0}, {0, 0, more});
+  };
+  constexpr double pi = std::numbers::pi;
+  EXPECT_DOUBLE_EQ(slope(0), pi * 40e6 * radius); // the geometric mean
+  EXPECT_DOUBLE_EQ(slope(1), pi * 40e6 * radius);
+  EXPECT_DOUBLE_EQ(slope(2), pi * 1.2e9 * radius);
 }
 
 TEST(AdjustedCell, TablesThatAreNoneAreRefused)
