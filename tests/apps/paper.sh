@@ -38,6 +38,17 @@ near() {
 near mu0.3 "loading start 0" 9 0.592 0.008
 near mu0.3 "loading strain 0.1" 7 17.35e6 2.7e6
 near py1 "loading strain 0.1" 7 33.95e6 5.2e6
+# Grains packed by dynamics hit each other, and more contacts yield: a share of
+# 0.4 instead of 0.14. Of some 400 contacts a share scatters by 0.025.
+awk -F, '
+  $4 == "start" { share[$1] = $14 / $13 }
+  END { print share["dyn_py1"], share["ref_py1"]
+    exit !(share["dyn_py1"] > share["ref_py1"] + 0.1) }' page/states.csv ||
+  fail "plastic contacts by dynamics"
+awk -F, '
+  $1 == "ref_py1" && $3 == "plastic_share" { found = $14 > 0 }
+  END { exit !found }' page/reference.csv ||
+  fail "the comparison with dynamics"
 # To the letter Table I has no plastic contact, whatever the packing.
 near literal "unloading peak 1" 14 0 0.5
 

@@ -117,7 +117,7 @@ awk -v packings="$packings" -v frictions="$frictions" -v limits="$limits" \
   -f "$here/trends.awk" states.csv $(ls data/scaling_?.csv 2> /dev/null) \
   > trends.csv
 awk -v packings="$packings" -f "$here/reference.awk" states.csv \
-  "$here/reference.csv" > reference.csv
+  "$here/reference.csv" "$here/reference.csv" > reference.csv
 bash "$here/page.sh" > paper.md
 cat trends.csv
 echo "The page is $PWD/paper.md"
