@@ -22,7 +22,7 @@ struct OpeningLimits {
   double parting = 0;
   /// Relative densities of all points of the die before it left them room, if
   /// they may not grow much since; empty: they may.
-  std::span<const double> densities;
+  std::span<const double> densities = {};
 };
 
 /// A point that opens.

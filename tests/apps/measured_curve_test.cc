@@ -78,10 +78,11 @@ private:
   std::filesystem::path file_;
 };
 
-std::string replaced(std::string text, const std::string &from, const char *to)
+std::string
+replaced(std::string text, const std::string &from, const std::string &to)
 {
   for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos;
-       at += std::string(to).size())
+       at += to.size())
     text.replace(at, from.size(), to);
   return text;
 }
@@ -119,7 +120,7 @@ TEST_F(MeasuredCurveFile, MayHaveDecimalCommasWhereTheyDivideNoColumns)
       header_ +
       replaced(
           replaced(
-              "\"" +
+              std::string("\"") +
                   replaced(rows_.substr(0, rows_.size() - 1), "\n", "\"\n\"") +
                   "\"\n",
               ",",
