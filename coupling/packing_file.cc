@@ -2,6 +2,7 @@
 #include <coupling/hdf5_image.h>
 #include <coupling/packing_file.h>
 #include <coupling/packing_text.h>
+#include <dem/law_names.h>
 #include <dem/unit_cell_bytes.h>
 
 #include <algorithm>
@@ -21,17 +22,6 @@ using dem::Vector3;
 
 constexpr const char *format = "tamp packing";
 constexpr std::uint32_t version = 3;
-
-// Order as in the enumerations of dem.
-constexpr std::array normal_laws{"hertz",
-                                 "thornton-ning",
-                                 "jkr",
-                                 "thornton-ning-jkr",
-                                 "storakers",
-                                 "mdr",
-                                 "thornton-ning-adjusted"};
-constexpr std::array tangential_laws{"none", "mindlin", "mindlin-deresiewicz"};
-constexpr std::array rolling_laws{"none", "epsd"};
 
 /// Numbers that lie one after the other, as a view.
 std::span<const double> flat(const std::vector<Vector3> &vectors)
@@ -273,12 +263,15 @@ void visit_parts(File &file, Cell &cell, Columns &contacts)
   file.version_of_file();
   file.materials("/materials/", cell.materials);
   auto &law = cell.contact;
-  file.choice("/contact_model/normal_law", normal_laws, law.normal_law);
   file.choice(
-      "/contact_model/tangential_law", tangential_laws, law.tangential_law);
+      "/contact_model/normal_law", dem::normal_law_names, law.normal_law);
+  file.choice("/contact_model/tangential_law",
+              dem::tangential_law_names,
+              law.tangential_law);
   file.number(
       "/contact_model/friction_coefficient", "-", law.friction_coefficient);
-  file.choice("/contact_model/rolling_law", rolling_laws, law.rolling_law);
+  file.choice(
+      "/contact_model/rolling_law", dem::rolling_law_names, law.rolling_law);
   file.number("/contact_model/work_of_adhesion", "J/m2", law.work_of_adhesion);
   file.number("/contact_model/rolling_friction_coefficient",
               "-",

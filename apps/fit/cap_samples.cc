@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <apps/fit/cap_samples.h>
 #include <apps/input/units.h>
+#include <apps/output/scatter.h>
 
 #include <algorithm>
 #include <array>
@@ -21,23 +22,6 @@ constexpr std::array<double CapValues::*, 6> all_values{
     &CapValues::yield_pressure,
     &CapValues::youngs_modulus,
     &CapValues::poissons_ratio};
-
-struct Spread {
-  double mean = 0, deviation = 0;
-};
-
-Spread spread_of(const std::vector<double> &values)
-{
-  Spread spread;
-  const auto count = static_cast<double>(values.size());
-  for (const double value : values)
-    spread.mean += value / count;
-  double square = 0;
-  for (const double value : values)
-    square += std::pow(value - spread.mean, 2);
-  spread.deviation = values.size() > 1 ? std::sqrt(square / (count - 1)) : 0;
-  return spread;
-}
 
 bool at(const SampleLevel &level, double density)
 {
@@ -255,7 +239,7 @@ CapSamples::find(const Replica &replica, const SampleLevel &level) const
     }
   finding.uniaxial = p.empty()
                          ? StressPoint{slope.pressure, slope.deviatoric_stress}
-                         : StressPoint{spread_of(p).mean, spread_of(q).mean};
+                         : StressPoint{scatter_of(p).mean, scatter_of(q).mean};
   if (!divide(points, finding))
     return {};
   finding.values.cohesion = finding.line.cohesion;
@@ -278,7 +262,7 @@ std::pair<double, double> CapSamples::elasticity(double density) const
     young.push_back(9 * K * G / (3 * K + G));
     poisson.push_back((3 * K - 2 * G) / (2 * (3 * K + G)));
   }
-  return {spread_of(young).mean, spread_of(poisson).mean};
+  return {scatter_of(young).mean, scatter_of(poisson).mean};
 }
 
 double CapSamples::angle_by(YieldCriterion criterion,
@@ -296,7 +280,7 @@ double CapSamples::angle_by(YieldCriterion criterion,
     if (divide(points, finding))
       angles.push_back(std::atan(finding.line.slope));
   }
-  return spread_of(angles).mean;
+  return scatter_of(angles).mean;
 }
 
 std::optional<CapLevel> CapSamples::fit(const SampleLevel &level)
@@ -313,14 +297,14 @@ std::optional<CapLevel> CapSamples::fit(const SampleLevel &level)
     std::vector<double> values;
     for (const Finding &finding : findings)
       values.push_back(value(finding));
-    return spread_of(values);
+    return scatter_of(values);
   };
   CapLevel result;
   result.density = level.density;
   result.loaded_density = uniaxial_of({0, 0}).path.loaded(level.density);
   result.replicas = static_cast<unsigned>(findings.size());
   for (const auto field : all_values) {
-    const Spread found =
+    const Scatter found =
         spread([&](const Finding &finding) { return finding.values.*field; });
     result.mean.*field = result.value.*field = found.mean;
     result.deviation.*field = found.deviation;
@@ -370,10 +354,10 @@ void CapSamples::take_yield_pressure(Loading from,
   }
   std::vector<double> values;
   for (const auto &[replica, pressures] : found)
-    values.push_back(spread_of(pressures).mean);
+    values.push_back(scatter_of(pressures).mean);
   if (values.empty())
     return;
-  const Spread spread = spread_of(values);
+  const Scatter spread = scatter_of(values);
   level.mean.yield_pressure = spread.mean;
   level.deviation.yield_pressure = spread.deviation;
 }

@@ -4,6 +4,7 @@
 #include <apps/fit/law_courses.h>
 #include <apps/fit/plastic_density.h>
 #include <apps/input/units.h>
+#include <apps/output/scatter.h>
 #include <fem/laws/bracketed_root.h>
 
 #include <algorithm>
@@ -317,17 +318,11 @@ template <class Unknowns>
 void take_deviations(const std::vector<typename Unknowns::Law> &laws,
                      ConstantsFit &fit)
 {
-  const auto count = static_cast<double>(laws.size()) - 1;
-  for (std::size_t i = 0; count > 1 && i < fit.constants.size(); ++i) {
-    const auto value = [i](const auto &law) {
-      return Unknowns::constants(law)[i].value;
-    };
-    double mean = 0, square = 0;
+  for (std::size_t i = 0; i < fit.constants.size(); ++i) {
+    std::vector<double> values;
     for (auto law = laws.begin() + 1; law != laws.end(); ++law)
-      mean += value(*law) / count;
-    for (auto law = laws.begin() + 1; law != laws.end(); ++law)
-      square += std::pow(value(*law) - mean, 2);
-    fit.constants[i].deviation = std::sqrt(square / (count - 1));
+      values.push_back(Unknowns::constants(*law)[i].value);
+    fit.constants[i].deviation = scatter_of(values).deviation;
   }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <apps/fit/law_check.h>
-#include <apps/input/units.h>
+#include <apps/input/start_density.h>
+#include <apps/output/scatter.h>
 #include <fem/path_driver.h>
 
 #include <deal.II/base/symmetric_tensor.h>
@@ -29,24 +30,10 @@ struct Driven {
   bool complete = false;
 };
 
-double initial_density(const coupling::MaterialChoice &law)
-{
-  switch (law.kind) {
-  case coupling::MaterialKind::drucker_prager_cap:
-    return law.cap.initial_relative_density;
-  case coupling::MaterialKind::modified_cam_clay:
-    return law.cam_clay.initial_relative_density;
-  case coupling::MaterialKind::fkm_gurson:
-    return law.fkm_gurson.initial_relative_density;
-  default:
-    throw InputError("expected a continuum law that fits give");
-  }
-}
-
 // @param share  of the peak to which it is unloaded; 1: it is not
 Driven drive(const coupling::MaterialChoice &law, double density, double share)
 {
-  const double start = initial_density(law), strain = std::log(density / start);
+  const double strain = std::log(density / start_density(law).value());
   std::vector<fem::PathStage> stages(share < 1 ? 2 : 1);
   stages[0].components[2].value = -strain;
   stages[0].maximum_increment = increment;
@@ -167,18 +154,17 @@ void compare_loading(const Driven &driven,
                      const std::array<double, 2> &range,
                      LawCheck &check)
 {
-  const auto count = static_cast<double>(data.loading.size());
   for (unsigned i = 0; i < compared_densities; ++i) {
     CheckRow row;
     const double density =
         range[0] + (range[1] - range[0]) * i / (compared_densities - 1);
     row.relative_density = density;
+    std::vector<double> stresses;
     for (const auto &states : data.loading)
-      row.data += stress_at(states, density) / count;
-    double square = 0;
-    for (const auto &states : data.loading)
-      square += std::pow(stress_at(states, density) - row.data, 2);
-    row.deviation = count > 1 ? std::sqrt(square / (count - 1)) : 0;
+      stresses.push_back(stress_at(states, density));
+    const Scatter scatter = scatter_of(stresses);
+    row.data = scatter.mean;
+    row.deviation = scatter.deviation;
     row.law = row.lowest = row.highest = stress_at(driven.loading, density);
     for (const Driven &replica : replicas) {
       const double stress = stress_at(replica.loading, density);

@@ -2,6 +2,7 @@
 #include <apps/input/contact_parameters.h>
 #include <apps/input/parameter_table.h>
 #include <apps/input/stage_reader.h>
+#include <dem/law_names.h>
 
 #include <algorithm>
 #include <cmath>
@@ -13,17 +14,13 @@ namespace tamp::apps
 {
 namespace
 {
-// Order as in the enumerations of dem.
-const std::vector<std::string> normal_laws{"hertz",
-                                           "thornton-ning",
-                                           "jkr",
-                                           "thornton-ning-jkr",
-                                           "storakers",
-                                           "mdr",
-                                           "thornton-ning-adjusted"};
-const std::vector<std::string> tangential_laws{
-    "none", "mindlin", "mindlin-deresiewicz"};
-const std::vector<std::string> rolling_laws{"none", "epsd"};
+const std::vector<std::string> normal_laws(dem::normal_law_names.begin(),
+                                           dem::normal_law_names.end());
+const std::vector<std::string>
+    tangential_laws(dem::tangential_law_names.begin(),
+                    dem::tangential_law_names.end());
+const std::vector<std::string> rolling_laws(dem::rolling_law_names.begin(),
+                                            dem::rolling_law_names.end());
 
 const std::vector<std::string> partners{"grain", "wall", "rigid wall"};
 // In the order of their places.

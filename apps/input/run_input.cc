@@ -3,6 +3,7 @@
 #include <apps/input/input_sections.h>
 #include <apps/input/parameter_table.h>
 #include <apps/input/run_input.h>
+#include <apps/input/start_density.h>
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -165,24 +166,6 @@ std::vector<std::filesystem::path> files_of(const ParameterTable &table,
         !table.word(path).empty())
       files.push_back(table.folder(path) / table.word(path));
   return files;
-}
-
-// What the powder is at the start, where that is known before packing.
-std::optional<double> start_density(const coupling::MaterialChoice &material)
-{
-  switch (material.kind) {
-  case coupling::MaterialKind::unit_cell:
-    return {};
-  case coupling::MaterialKind::elastic:
-    return material.elastic.initial_relative_density;
-  case coupling::MaterialKind::drucker_prager_cap:
-    return material.cap.initial_relative_density;
-  case coupling::MaterialKind::modified_cam_clay:
-    return material.cam_clay.initial_relative_density;
-  case coupling::MaterialKind::fkm_gurson:
-    return material.fkm_gurson.initial_relative_density;
-  }
-  return {};
 }
 
 void check_start(const ParameterTable &table, const RunInput &input)

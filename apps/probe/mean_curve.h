@@ -9,14 +9,6 @@
 
 namespace tamp::apps
 {
-/// Mean and standard deviation of some numbers; the latter is zero for one.
-struct Scatter {
-  double mean = 0, deviation = 0;
-  std::size_t count = 0;
-  double of_mean() const; ///< standard error
-};
-Scatter scatter_of(std::span<const double> values);
-
 /// The curve of a probe, with the line of its start at least.
 struct ProbeCurve {
   NumberTable table;

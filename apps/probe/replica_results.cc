@@ -2,6 +2,7 @@
 #include <apps/output/curve_writer.h>
 #include <apps/output/number_table.h>
 #include <apps/output/plots.h>
+#include <apps/output/scatter.h>
 #include <apps/probe/mean_curve.h>
 #include <apps/probe/replica_results.h>
 

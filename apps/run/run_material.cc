@@ -132,6 +132,15 @@ prepare_material(RunSession &session, const fem::Share &points, std::size_t all)
     if (cells)
       session.result("time_packing[s]", log.progress().elapsed());
     return material;
+  } catch (...) {
+    rethrow_of_packing();
+  }
+}
+
+void rethrow_of_packing()
+{
+  try {
+    throw;
   } catch (const std::invalid_argument &) {
     throw;
   } catch (const coupling::FileError &error) {

@@ -25,6 +25,11 @@ coupling::Material prepare_material(RunSession &session,
                                     const fem::Share &points,
                                     std::size_t all);
 
+/// To be called where an exception of making packings is handled: throws it as
+/// what ends the run, OutputError for files, PackingError for grains that do
+/// not jam; what is wrong with the input stays as it is.
+[[noreturn]] void rethrow_of_packing();
+
 /// How many different packings the points of a run need.
 std::size_t different_packings(const coupling::MaterialChoice &choice,
                                std::size_t points);

@@ -38,12 +38,8 @@ void store_packings(RunSession &session,
         });
     for (std::size_t i = 0; i < files.size(); ++i)
       coupling::write_packing(cells[i], files[i]);
-  } catch (const std::invalid_argument &) {
-    throw;
-  } catch (const coupling::FileError &error) {
-    throw OutputError(error.what());
-  } catch (const std::runtime_error &error) {
-    throw PackingError(error.what());
+  } catch (...) {
+    rethrow_of_packing();
   }
   log.end();
 }
